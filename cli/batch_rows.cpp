@@ -32,9 +32,18 @@ std::string overlap_cells(const Overlap& overlap) {
     return fmt::format(",{},{},{},,,", text_of(moving), text_of(fixed), text_of(overlap.point));
 }
 
+// A vertex inside has no kind and no normal, and the other body no feature.
+std::string inside_cells(const Inside& inside) {
+    const std::string vertex = text_of(inside.vertex);
+    return fmt::format(",{},{},{},,,", inside.moving_is_inside ? vertex : "", inside.moving_is_inside ? "" : vertex,
+                       text_of(inside.point));
+}
+
 std::string geometry_cells(const FirstContact& found) {
     if (!found.contacts.empty())
         return contact_cells(found.contacts.front());
+    if (found.inside)
+        return inside_cells(*found.inside);
     return found.overlap ? overlap_cells(*found.overlap) : std::string(contact_columns - 1, ',');
 }
 

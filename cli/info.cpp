@@ -37,12 +37,31 @@ view::Json body_json(const Polyhedron& body) {
             {"dropped_faces", mesh.dropped_faces},
             {"segments", mesh.segments},
             {"closed", mesh.closed},
+            {"unpaired_edges", mesh.unpaired_edges},
+            {"surface_parts", mesh.parts},
+            {"solid_parts", mesh.solid_parts},
+            {"volume", mesh.volume},
             {"bounding_box", {{"lower", view::vector_json(mesh.lower)}, {"upper", view::vector_json(mesh.upper)}}},
             {"hierarchy", {{"nodes", mesh.bvh_nodes}, {"depth", mesh.bvh_depth}, {"bytes", mesh.bvh_bytes}}},
             {"bytes", body.memory()}};
 }
 
-std::string body_report(const std::string& name, const Polyhedron& body) {
+// Which parts of the surface enclose a volume, and why others do not.
+std::string solid_text(const MeshReport& mesh, Solid solid) {
+    const std::string volume = fmt::format("volume {:.9g}", mesh.volume) +
+                               (mesh.volume < 0 ? ": turned inwards, so the body is what is around it" : "");
+    const std::string why =
+        fmt::format("along {} edges, faces do not run equally often in both directions", mesh.unpaired_edges);
+    if (solid == Solid::no)
+        return "no, as asked";
+    if (mesh.solid_parts == 0)
+        return "no: " + why;
+    if (mesh.solid_parts == mesh.parts)
+        return "yes, " + volume + (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
+    return fmt::format("{} of {} connected parts, {}; {}", mesh.solid_parts, mesh.parts, volume, why);
+}
+
+std::string body_report(const std::string& name, const Polyhedron& body, Solid solid) {
     const MeshReport mesh = body.report();
     std::string text = name + ": " + (mesh.closed ? "closed\n" : "open: the surface encloses no volume\n");
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
@@ -56,6 +75,7 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
     text += labelled("vertices", fmt::format("{}, {} distinct", mesh.vertices, mesh.distinct_vertices));
     text += labelled("edges", fmt::format("{}, {} with one face, {} with more than two", mesh.edges,
                                           mesh.boundary_edges, mesh.nonmanifold_edges));
+    text += labelled("solid", solid_text(mesh, solid));
     text += labelled("box", vector_text(mesh.lower) + " to " + vector_text(mesh.upper));
     text += labelled("size", vector_text(mesh.upper - mesh.lower));
     return text + labelled("hierarchy", fmt::format("{} boxes, {} deep; {} bytes with the topology", mesh.bvh_nodes,
@@ -85,7 +105,8 @@ std::string parts_report(const std::vector<PartSummary>& parts) {
 
 int run_info(const InfoOptions& options) {
     if (is_robot_file(options.mesh))
-        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages}, options.json);
+        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages, options.polyhedron.solid},
+                              options.json);
     if (!options.robot.srdf.empty() || !options.robot.packages.empty())
         throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +
                            " does not end in .urdf");
@@ -96,7 +117,7 @@ int run_info(const InfoOptions& options) {
         summaries.push_back({part.name, part.polygons.faces.size()});
     const Polyhedron body = io::body_of(options.mesh, io::merged(std::move(parts)), options.polyhedron);
     view::Json json = body_json(body);
-    std::string report = body_report(options.mesh, body);
+    std::string report = body_report(options.mesh, body, options.polyhedron.solid);
     if (!unit.empty()) {
         json["unit"] = unit;
         report += labelled("unit", unit);

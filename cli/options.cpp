@@ -2,6 +2,7 @@
 #include "cli/options.h"
 
 #include "chasles/io/pose_text.h"
+#include "chasles/io/text_scan.h"
 #include "cli/mesh_units.h"
 
 #include <limits>
@@ -39,9 +40,27 @@ void add_query_options(CLI::App& command, QuestionOptions& options) {
         ->type_name("H");
 }
 
+Solid solid_of(const std::string& text) {
+    if (text == "automatic")
+        return Solid::automatic;
+    if (text == "yes" || text == "no")
+        return text == "yes" ? Solid::yes : Solid::no;
+    throw InvalidInput("must be automatic, yes or no, and is " + io::in_quotes(text));
+}
+
+void add_solid_option(CLI::App& command, Solid& solid) {
+    command
+        .add_option_function<std::string>(
+            "--solid",
+            [&solid](const std::string& text) { solid = at_place("--solid", [&] { return solid_of(text); }); },
+            "whether the inside of a closed mesh belongs to the body (default automatic)")
+        ->type_name("automatic|yes|no");
+}
+
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
     command.add_flag("--triangulate", options.triangulate,
                      "cut polygons that are not planar, cross themselves or turn back into triangles");
+    add_solid_option(command, options.solid);
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {

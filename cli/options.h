@@ -36,6 +36,9 @@ CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds);
 void add_search_options(CLI::App& command, QuestionOptions& options);
 void add_batch_query_options(CLI::App& command, QuestionOptions& options);
 void add_query_options(CLI::App& command, QuestionOptions& options);
+/// automatic, yes or no.
+Solid solid_of(const std::string& text);
+void add_solid_option(CLI::App& command, Solid& solid);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 void add_body_options(CLI::App& command, BodyOptions& options);
 

@@ -44,6 +44,22 @@ std::string overlap_line(const Overlap& overlap) {
                                 edge_owner, face_name(overlap.face), face_owner, vector_text(overlap.point)));
 }
 
+std::string inside_line(const Inside& inside) {
+    const std::string inner = inside.moving_is_inside ? "moving" : "fixed",
+                      outer = inside.moving_is_inside ? "fixed" : "moving";
+    return labelled("inside", fmt::format("vertex {} of the {} body is inside of the {} body, at {}",
+                                          inside.vertex.first, inner, outer, vector_text(inside.point)));
+}
+
+/// What contact at the start is more than a touch.
+template <typename Found>
+std::string more_than_touch(const Found& found) {
+    if (found.inside && found.certain)
+        return found.inside->moving_is_inside ? ": the moving body is inside of the fixed one"
+                                              : ": the fixed body is inside of the moving one";
+    return found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "";
+}
+
 std::string motion_line(const view::MotionNumbers& motion) {
     const std::string turn = fmt::format("turns {:.9g} degrees", degrees(motion.angle));
     const std::string direction = vector_text(motion.axis_direction);
@@ -79,6 +95,8 @@ std::string report_features(const Found& found, const std::string& label, bool s
     std::string text;
     if (!found.contacts.empty())
         text += contact_lines(found.contacts, label, shows_gaps);
+    if (found.inside)
+        text += inside_line(*found.inside);
     if (found.overlap)
         text += overlap_line(*found.overlap);
     else if (found.contacts_cut)
@@ -126,8 +144,7 @@ std::string verdict_text(const FirstContact& found, double margin, const std::op
     case Verdict::contact_at_start:
         break;
     }
-    return fmt::format("CONTACT{} AT THE START{}", within,
-                       found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "");
+    return fmt::format("CONTACT{} AT THE START{}", within, more_than_touch(found));
 }
 
 std::string verdict_text(const LeastDistance& found) {
@@ -137,8 +154,7 @@ std::string verdict_text(const LeastDistance& found) {
     case Verdict::contact:
         return "TOUCH at time " + time_text(found.time.lower);
     case Verdict::contact_at_start:
-        return fmt::format("TOUCH AT THE START{}",
-                           found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "");
+        return fmt::format("TOUCH AT THE START{}", more_than_touch(found));
     case Verdict::unknown:
         break;
     }

@@ -70,7 +70,7 @@ std::optional<SceneFile> read_scene(const RobotCommand& options) {
         return std::nullopt;
     const std::optional<double> margin =
         options.query.margin.empty() ? std::nullopt : std::optional(options_of(options.query).margin);
-    SceneFile scene = load_scene(options.scene, {.triangulate = true}, margin);
+    SceneFile scene = load_scene(options.scene, {.triangulate = true, .solid = options.robot.solid}, margin);
     if (scene.ignores_touching_at_start)
         throw InvalidInput(io::one_line(options.scene) +
                            ": ignore_touching_at_start: is not for robots; leave it out, and name what a robot may "
@@ -106,7 +106,9 @@ RobotQuestion read_question(const RobotCommand& options) {
     std::optional<SceneFile> scene = read_scene(options);
     const QueryOptions query = query_of(options, scene);
     std::vector<std::string> warnings = robot.warnings();
-    change(robot, scene ? &scene->scene : nullptr, options.changes, warnings);
+    RobotChangeOptions changes = options.changes;
+    changes.solid = options.robot.solid;
+    change(robot, scene ? &scene->scene : nullptr, changes, warnings);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     if (scene) {
         warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());

@@ -76,15 +76,16 @@ std::string part_name(const Robot& robot, const Scene* scene, const std::filesys
     return name;
 }
 
-void attach(Robot& robot, const Scene* scene, const std::string& given, std::vector<std::string>& warnings) {
+void attach(Robot& robot, const Scene* scene, const std::string& given, Solid solid,
+            std::vector<std::string>& warnings) {
     const std::size_t first = given.find(','), second = given.find(',', first + 1);
     if (first == std::string::npos || second == std::string::npos)
         throw InvalidInput("--attach: " + io::in_quotes(given) + " is not of the form LINK,MESH,POSE");
     const std::string link = given.substr(0, first), mesh = given.substr(first + 1, second - first - 1);
     at_place("--attach", [&] {
         const Pose pose = at_place(io::in_quotes(given), [&] { return io::parse_pose(given.substr(second + 1)); });
-        robot.attach(
-            {part_name(robot, scene, mesh), link, load_with_unit(mesh, {.triangulate = true}, warnings).body, pose});
+        const PolyhedronOptions polyhedron{.triangulate = true, .solid = solid};
+        robot.attach({part_name(robot, scene, mesh), link, load_with_unit(mesh, polyhedron, warnings).body, pose});
     });
 }
 
@@ -107,7 +108,7 @@ void add_robot_change_options(CLI::App& command, RobotChangeOptions& options) {
 
 void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, std::vector<std::string>& warnings) {
     for (const std::string& given : options.attach)
-        attach(robot, scene, given, warnings);
+        attach(robot, scene, given, options.solid, warnings);
     for (const std::string& given : options.allow)
         allow(robot, scene, given);
 }

@@ -12,6 +12,7 @@ namespace chasles::cli {
 struct RobotChangeOptions {
     std::vector<std::string> allow;  ///< LINK,BODY
     std::vector<std::string> attach; ///< LINK,MESH,POSE
+    Solid solid = Solid::automatic;  ///< of attached meshes
 };
 
 void add_robot_change_options(CLI::App& command, RobotChangeOptions& options);

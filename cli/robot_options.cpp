@@ -1,12 +1,14 @@
 #include "cli/robot_options.h"
 
 #include "chasles/io/text_scan.h"
+#include "cli/options.h"
 
 namespace chasles::cli {
 
 void add_robot_options(CLI::App& command, RobotOptions& options) {
     command.add_option("ROBOT", options.urdf, "URDF file")->required()->type_name("FILE");
     add_robot_file_options(command, options);
+    add_solid_option(command, options.solid);
 }
 
 void add_robot_file_options(CLI::App& command, RobotOptions& options) {
@@ -21,7 +23,7 @@ void add_robot_file_options(CLI::App& command, RobotOptions& options) {
 }
 
 Robot load_robot(const RobotOptions& options) {
-    RobotFiles files{.srdf = options.srdf};
+    RobotFiles files{.srdf = options.srdf, .solid = options.solid};
     for (const std::string& given : options.packages) {
         const std::size_t sign = given.find('=');
         if (sign == 0 || sign == std::string::npos || sign + 1 == given.size())

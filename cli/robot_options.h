@@ -13,6 +13,7 @@ struct RobotOptions {
     std::string urdf;
     std::string srdf;
     std::vector<std::string> packages; ///< NAME=FOLDER
+    Solid solid = Solid::automatic;
 };
 
 /// The file of the robot, and the options about further files; and these options alone.

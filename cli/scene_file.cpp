@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "part",   "urdf",  "scale", "pose",
-                                                          "goal", "motion", "centre", "poses", "group"};
+                                                          "goal", "motion", "centre", "poses", "group", "solid"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
@@ -177,9 +177,10 @@ Polyhedron shape_in(const Members& body, Shapes& shapes) {
     const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name)); });
     if (!urdf) {
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
-        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1)});
+        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1),
+                           body.read("solid", [](const Json& json) { return solid_of(text_in(json)); })});
     }
-    for (const char* other : {"mesh", "part", "scale"})
+    for (const char* other : {"mesh", "part", "scale", "solid"})
         if (body.find(other))
             refuse(std::string(other) + ": goes with a mesh, and the body has a urdf");
     return *urdf;

@@ -31,7 +31,7 @@ Polyhedron Shapes::get(const MeshChoice& choice) {
     if (const auto found = shapes_.find(choice); found != shapes_.end())
         return found->second;
     const std::filesystem::path file = folder_ / choice.file;
-    return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice.scale)).first->second;
+    return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice)).first->second;
 }
 
 Polyhedron Shapes::get_urdf(const std::string& name) {
@@ -55,16 +55,22 @@ std::vector<std::string> Shapes::warnings() const {
     return all;
 }
 
-Polyhedron Shapes::load(const std::filesystem::path& file, double scale) {
-    if (scale == 1) {
-        MeshWithUnit mesh = load_with_unit(file, options_, warnings_);
+PolyhedronOptions Shapes::options_of(const MeshChoice& choice) const {
+    PolyhedronOptions options = options_;
+    options.solid = choice.solid.value_or(options.solid);
+    return options;
+}
+
+Polyhedron Shapes::load(const std::filesystem::path& file, const MeshChoice& choice) {
+    if (choice.scale == 1) {
+        MeshWithUnit mesh = load_with_unit(file, options_of(choice), warnings_);
         units_.push_back({file.string(), mesh.unit});
         return mesh.body;
     }
     io::PolygonSoup soup = io::load_polygons(file);
     for (Eigen::Vector3d& vertex : soup.vertices)
-        vertex *= scale;
-    const Polyhedron body = io::body_of(file, soup, options_);
+        vertex *= choice.scale;
+    const Polyhedron body = io::body_of(file, soup, options_of(choice));
     io::warn_of_cut_polygons(file, soup, body, warnings_);
     return body;
 }
@@ -79,7 +85,7 @@ Polyhedron Shapes::load_part(const std::filesystem::path& file, const MeshChoice
         units_.push_back({choice.file, part.unit});
     for (Eigen::Vector3d& vertex : part.polygons.vertices)
         vertex *= choice.scale;
-    const Polyhedron body = io::body_of(file, part, options_);
+    const Polyhedron body = io::body_of(file, part, options_of(choice));
     io::warn_of_cut_polygons(file, part.polygons, body, warnings_);
     return body;
 }

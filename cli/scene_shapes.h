@@ -15,9 +15,10 @@ struct MeshChoice {
     std::string file;
     std::optional<std::string> part; ///< all parts as one body if there is none
     double scale = 1;
+    std::optional<Solid> solid = {}; ///< that of all bodies if there is none
 
     bool operator<(const MeshChoice& other) const {
-        return std::tie(file, part, scale) < std::tie(other.file, other.part, other.scale);
+        return std::tie(file, part, scale, solid) < std::tie(other.file, other.part, other.scale, other.solid);
     }
 };
 
@@ -36,8 +37,9 @@ public:
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
-    Polyhedron load(const std::filesystem::path& file, double scale);
+    Polyhedron load(const std::filesystem::path& file, const MeshChoice& choice);
     Polyhedron load_part(const std::filesystem::path& file, const MeshChoice& choice);
+    [[nodiscard]] PolyhedronOptions options_of(const MeshChoice& choice) const;
 
     std::filesystem::path folder_;
     PolyhedronOptions options_;

@@ -57,7 +57,16 @@ Json json_of(const Work& work) {
             {"exact", work.exact}};
 }
 
-/// The keys from time to overlap, which both kinds of answers have.
+/// What bodies have in common at the start beside contacts.
+template <typename Found>
+void add_overlap(Json& answer, const Found& found) {
+    if (found.overlap)
+        answer["overlap"] = overlap_json(*found.overlap);
+    if (found.inside)
+        add_inside(answer, *found.inside);
+}
+
+/// The keys from time to inside, which both kinds of answers have.
 template <typename Found>
 void add_contacts(Json& answer, const Found& found, MotionKind kind) {
     answer["time"] = found.time.lower;
@@ -69,8 +78,7 @@ void add_contacts(Json& answer, const Found& found, MotionKind kind) {
     answer["certain"] = found.certain;
     answer["pose"] = pose_json(found.pose);
     answer["contacts"] = json_of(found.contacts);
-    if (found.overlap)
-        answer["overlap"] = overlap_json(*found.overlap);
+    add_overlap(answer, found);
 }
 
 Json reason_json(const UntestedPairs& untested, UntestedReason reason) {
@@ -151,8 +159,7 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bo
         answer["certain"] = found.certain;
         answer["pair"] = Json{found.pair->first, found.pair->second};
         answer["contacts"] = json_of(found.contact.contacts);
-        if (found.contact.overlap)
-            answer["overlap"] = overlap_json(*found.contact.overlap);
+        add_overlap(answer, found.contact);
         if (found.contact.contacts_cut)
             answer["contacts_cut"] = true;
         if (!found.contact.held.empty())
@@ -179,8 +186,7 @@ Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& fou
         answer["pair"] = Json{found.pair->first, found.pair->second};
         answer["segment"] = found.segment;
         answer["contacts"] = json_of(found.nearest.contacts);
-        if (found.nearest.overlap)
-            answer["overlap"] = overlap_json(*found.nearest.overlap);
+        add_overlap(answer, found.nearest);
         if (found.nearest.contacts_cut)
             answer["contacts_cut"] = true;
         answer["configuration"] = configuration_json(robot, found.configuration);
@@ -219,6 +225,12 @@ Json overlap_json(const Overlap& overlap) {
     return {{"moving_feature", overlap.edge_is_moving ? edge(overlap.edge) : face(overlap.face)},
             {"fixed_feature", overlap.edge_is_moving ? face(overlap.face) : edge(overlap.edge)},
             {"point", vector_json(overlap.point)}};
+}
+
+void add_inside(Json& answer, const Inside& inside) {
+    answer["inside"] = inside.moving_is_inside ? "moving" : "fixed";
+    answer["inside_vertex"] = inside.vertex.first;
+    answer["inside_point"] = vector_json(inside.point);
 }
 
 Json vector_json(const Eigen::Vector3d& vector) {

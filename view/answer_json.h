@@ -10,12 +10,13 @@ namespace chasles::view {
 using Json = nlohmann::ordered_json;
 
 /// The answer of `check`. Every answer has verdict, clear_until, motion and work. An answer with contact also has time,
-/// tau if the motion has it, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is
-/// present if not empty, and contacts_cut if true.
+/// tau if the motion has it, certain, pose and contacts, overlap if the surfaces overlap at the start, and inside,
+/// inside_vertex and inside_point if one body is inside of the other one. `held` is present if not empty, and
+/// contacts_cut if true.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
 /// The answer of `clearance`: distance, time, tau if the motion has it, certain, pose, contacts, motion and work.
-/// `overlap` is present if the surfaces overlap at the start, and contacts_cut if true.
+/// `overlap` and `inside` are those of `check`; contacts_cut is present if true.
 Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
 /// The answer of `scene`. For the first contact: the keys of `check` without tau and motion, and `pair`, the names of
@@ -41,6 +42,8 @@ Json pair_proofs_json(const chasles::Robot& robot, const std::vector<PairProof>&
 /// A contact, and an overlap, as in the lists of every answer.
 Json contact_json(const Contact& contact);
 Json overlap_json(const Overlap& overlap);
+/// Adds the keys inside, inside_vertex and inside_point.
+void add_inside(Json& answer, const Inside& inside);
 
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one.

@@ -53,6 +53,8 @@ Json event_json(const RecordedContact& event) {
         json["kind"] = event.kind;
     if (event.overlap)
         json["overlap"] = overlap_json(*event.overlap);
+    if (event.inside)
+        add_inside(json, *event.inside);
     return json;
 }
 

@@ -84,7 +84,8 @@ RecordedContact recorded_contact(const SceneContact& event) {
             .moving = event.moving,
             .fixed = event.fixed,
             .contacts = found.contacts,
-            .overlap = found.overlap};
+            .overlap = found.overlap,
+            .inside = found.inside};
 }
 
 } // namespace

@@ -28,6 +28,7 @@ struct RecordedContact {
     std::vector<Contact> contacts = {};
     bool has_features = true; ///< whether `contacts` have a kind, features and an approach speed
     std::optional<Overlap> overlap = {};
+    std::optional<Inside> inside = {};
 };
 
 enum class RecordSource : std::uint8_t {

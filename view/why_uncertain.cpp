@@ -17,6 +17,8 @@ bool closes_nowhere(const FirstContact& found) {
 } // namespace
 
 std::string why_uncertain(const FirstContact& found, bool ends_there) {
+    if (found.inside)
+        return "the vertex that seems to be inside is next to the surface, and may be outside by a rounding error";
     if (found.overlap)
         return "an edge may just miss the rim of a face that it seems to pass through";
     if (found.verdict == Verdict::contact && found.time.upper - found.time.lower > width_by_rounding)

@@ -56,4 +56,12 @@ struct Overlap {
     bool certain = true;                             ///< false if the edge may just miss the rim of the face
 };
 
+/// A vertex of one body inside of the other one, which is solid, at time 0. Its whole part of the surface is inside.
+struct Inside {
+    bool moving_is_inside =
+        true; ///< the vertex is one of the moving body, which is inside of the fixed one; or the reverse
+    Feature vertex;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< its place in the world frame
+};
+
 } // namespace chasles

@@ -4,6 +4,7 @@
 
 #include "chasles/culling/coarse_scene.h"
 #include "chasles/culling/near_nodes.h"
+#include "chasles/culling/nested_boxes.h"
 #include "chasles/culling/pair_queue.h"
 #include "chasles/culling/plane_between.h"
 #include "chasles/culling/split_nodes.h"
@@ -150,7 +151,9 @@ bool are_clearly_apart(const Body& moving, const Body& fixed, const CoarseMotion
     const CoarseScene scene{moving, fixed, motion, margin};
     const Placement start = scene.placement(0);
     const Placement end = scene.placement(1);
-    return have_large_nodes_apart(scene, start, end) || have_plane_between(scene, start, end);
+    return (have_large_nodes_apart(scene, start, end) &&
+            !may_be_nested({moving, fixed, start, scene.start_deviation()})) ||
+           have_plane_between(scene, start, end);
 }
 
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {

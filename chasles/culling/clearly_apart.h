@@ -8,8 +8,8 @@
 
 namespace chasles::culling {
 
-/// True if the bodies are proven never to come within the margin on the whole trajectory. False proves nothing: the
-/// test gives up as soon as the bodies seem to be near each other.
+/// True if the surfaces are proven never to come within the margin on the whole trajectory, and neither body to be
+/// inside of the other one. False proves nothing: the test gives up as soon as the bodies seem to be near each other.
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory,
                        double margin = 0);
 /// Likewise for one coarse motion, within whose deviation the true motion stays.

@@ -8,12 +8,19 @@
 namespace chasles::culling {
 
 double CoarseScene::deviation() const {
+    return deviation_of(motion.deviation, motion.turn_deviation);
+}
+
+double CoarseScene::start_deviation() const {
+    return deviation_of(motion.start_deviation, motion.start_turn_deviation);
+}
+
+double CoarseScene::deviation_of(double reference, double turn) const {
     const Bvh& mover = moving.bvh();
     const Bvh& target = fixed.bvh();
     const double bodies = mover.centre().lpNorm<1>() + mover.radius() + target.centre().lpNorm<1>() + target.radius();
     const double arm = length(motion::vector_in<double>(mover.centre()) - motion.reference) + mover.radius() + margin;
-    return motion.deviation + motion.turn_deviation * arm +
-           motion::coarse_rounding * (motion.size + bodies + 2 * margin);
+    return reference + turn * arm + motion::coarse_rounding * (motion.size + bodies + 2 * margin);
 }
 
 Placement CoarseScene::placement(double tau) const {

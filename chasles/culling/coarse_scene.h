@@ -20,6 +20,11 @@ struct CoarseScene {
     [[nodiscard]] Placement placement(double tau) const;
     /// A bound of the distance between the true place of a point and its computed place.
     [[nodiscard]] double deviation() const;
+    /// Likewise at the start.
+    [[nodiscard]] double start_deviation() const;
+
+private:
+    [[nodiscard]] double deviation_of(double reference, double turn) const;
 };
 
 /// How far true places leave the chords of the coarse motion.

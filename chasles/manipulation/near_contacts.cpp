@@ -3,6 +3,7 @@
 #include "chasles/base/sort.h"
 #include "chasles/motion/motion.h"
 #include "chasles/query/report.h"
+#include "chasles/search/nested.h"
 
 #include <algorithm>
 
@@ -30,7 +31,8 @@ NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, do
     search::NearFeatures near =
         moment.find({.most_visits = most_visits, .refinements = refinements, .finds_overlaps = true, .memory = memory});
     chasles::sort(near.pairs); // what is remembered changes their order
-    NearContacts found{{}, reach, near.overlap.has_value(), near.is_cut, near.work};
+    const bool overlaps = near.overlap || search::nested_at_start(context);
+    NearContacts found{{}, reach, overlaps, near.is_cut, near.work};
     if (found.overlaps) {
         found.distance = 0;
         return found;

@@ -22,7 +22,7 @@ struct NearContacts {
     std::vector<Contact>
         contacts;          ///< pairs of features within the reach, nearly at local minima of the distance; in the world
     double distance = 0;   ///< of the surfaces in double precision; the reach if they are farther apart
-    bool overlaps = false; ///< surfaces cross
+    bool overlaps = false; ///< surfaces cross, or one body is inside of the other one
     bool is_cut = false;   ///< there are more contacts than these
     Work work;
 };

@@ -57,7 +57,7 @@ std::span<const VertexBlock> Body::vertex_blocks() const {
 std::size_t Body::memory() const {
     return sizeof(Body) + parts_.outlines.memory() + parts_.source.capacity() * sizeof(std::uint32_t) +
            parts_.triangles.memory() + parts_.owned_vertices.memory() + parts_.owned_edges.memory() +
-           parts_.bvh.memory();
+           parts_.bvh.memory() + parts_.volume.memory();
 }
 
 } // namespace chasles

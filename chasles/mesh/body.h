@@ -8,6 +8,7 @@
 #include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/mesh/vertex_blocks.h"
+#include "chasles/mesh/volume.h"
 
 #include <mutex>
 
@@ -23,6 +24,7 @@ struct BodyParts {
     FlatLists<std::uint32_t> owned_vertices;
     FlatLists<Edge> owned_edges;
     Bvh bvh;
+    Volume volume;
     MeshReport report;
 };
 
@@ -74,6 +76,9 @@ public:
 
     /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
+
+    /// The parts of the surface, and which of them enclose a volume that belongs to the body.
+    [[nodiscard]] const Volume& volume() const { return parts_.volume; }
 
     /// A bound of the distance of any vertex from the centre of the hierarchy, in the length unit. It is smaller than
     /// the radius of the hierarchy, which is that of its box.

@@ -87,6 +87,15 @@ void add_bvh(const Bvh& bvh, MeshReport& report) {
     report.bvh_bytes = bvh.memory();
 }
 
+/// Adds the parts of the surface and what they enclose.
+void add_volume(BodyParts& parts, std::span<const Edge> unpaired, Solid solid) {
+    const Surface surface{parts.vertices, parts.outlines, unpaired, parts.bvh.centre()};
+    parts.volume = find_volume(surface, solid);
+    parts.report.parts = parts.volume.part_points.size();
+    parts.report.solid_parts = parts.volume.solid_parts;
+    parts.report.volume = signed_volume(surface, parts.volume);
+}
+
 /// The counts of faces and edges.
 MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     MeshReport report;
@@ -99,17 +108,23 @@ MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     return report;
 }
 
-/// Whether the surface as it is given has no boundary edge. A face without area closes the gap between an edge and two
-/// edges that meet on it.
-bool is_closed(const PolygonFaces& polygons, const MeshEdges& edges, std::size_t vertex_count) {
+/// The edges that the surface as it is given leaves open.
+struct OpenEdges {
+    bool have_boundary = false; ///< one of them has one face
+    std::vector<Edge> unpaired;
+};
+
+/// A face without area closes the gap between an edge and two edges that meet on it.
+OpenEdges open_edges(const PolygonFaces& polygons, const MeshEdges& edges, std::size_t vertex_count) {
     const FlatLists<std::uint32_t>& collapsed = polygons.collapsed.outlines;
-    if (edges.boundary == 0 || collapsed.size() == 0)
-        return edges.boundary == 0;
+    if (edges.unpaired.empty() || collapsed.size() == 0)
+        return {edges.boundary > 0, edges.unpaired};
     FlatLists<std::uint32_t> given = polygons.faces.outlines;
     for (std::size_t face = 0; face < collapsed.size(); ++face)
         if (collapsed[face].size() > 1)
             given.append(collapsed[face]);
-    return collect_edges(given, vertex_count).boundary == 0;
+    MeshEdges all = collect_edges(given, vertex_count);
+    return {all.boundary > 0, std::move(all.unpaired)};
 }
 
 /// Adds the parts of faces without area that no edge covers, as segments behind the faces.
@@ -140,7 +155,9 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
 
     BodyParts parts;
     parts.report = make_report(polygons, edges);
-    parts.report.closed = is_closed(polygons, edges, vertices.size());
+    const OpenEdges open = open_edges(polygons, edges, vertices.size());
+    parts.report.closed = !open.have_boundary;
+    parts.report.unpaired_edges = open.unpaired.size();
     parts.report.vertices = vertices.size();
     parts.report.distinct_vertices = distinct_vertices;
     keep_segments(vertices, polygons, edges, parts.report);
@@ -158,6 +175,7 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.outlines = std::move(polygons.faces.outlines);
     parts.triangles.shrink();
     parts.outlines.shrink();
+    add_volume(parts, open.unpaired, options.solid);
     add_bounding_box(parts, parts.report);
     add_bvh(parts.bvh, parts.report);
     return parts;

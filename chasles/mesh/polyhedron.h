@@ -15,6 +15,13 @@
 
 namespace chasles {
 
+/// Whether the volume that a surface encloses belongs to the body (docs/derivations/37-inside.md).
+enum class Solid : std::uint8_t {
+    automatic, ///< of each connected part that is closed and whose faces are all turned the same way
+    yes,       ///< as automatic, and every part has to be such; otherwise the mesh is refused
+    no,        ///< the body is its surface
+};
+
 /// Options for making a body: the treatment of unusual faces, and the number of threads.
 struct PolyhedronOptions {
     /// Cut polygons that are not planar, and outlines that cross themselves or turn back, into triangles. Otherwise
@@ -23,6 +30,7 @@ struct PolyhedronOptions {
     /// Build the hierarchy on at most this many threads (0: all cores). The body is the same bit by bit for any number
     /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
     unsigned threads = 0;
+    Solid solid = Solid::automatic;
 };
 
 /// Counts and dimensions of a mesh; see Polyhedron::report().
@@ -38,6 +46,11 @@ struct MeshReport {
     std::size_t dropped_faces = 0;     ///< faces without area that edges of other faces cover
     std::size_t segments = 0;          ///< kept faces without area, each a segment between two vertices, or a point
     bool closed = false;               ///< no boundary edge, faces that are dropped counted
+    std::size_t unpaired_edges = 0; ///< edges that faces do not run along equally often in both directions: of the rim,
+                                    ///< and between faces that are turned differently; faces that are dropped counted
+    std::size_t parts = 0;          ///< connected parts of the surface
+    std::size_t solid_parts = 0;    ///< parts whose volume belongs to the body; see Solid
+    double volume = 0; ///< of these, cubic mesh unit; negative if they are turned inwards and enclose nothing
     Eigen::Vector3d lower =
         Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
     Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner

@@ -59,8 +59,13 @@ std::optional<CoarseMotion> coarse_part(const CoarsePart& part) {
     if (!(rates.turn_rate * duration <= quarter_turn))
         return std::nullopt;
     const EnclosureBounds bounds = enclosure_bounds(reference, rates, duration, rounding, size);
-    return CoarseMotion{sweep_between_ends<double>(ends, reference), bounds.deviation, size, bounds.turn_deviation,
-                        reference};
+    return CoarseMotion{sweep_between_ends<double>(ends, reference),
+                        bounds.deviation,
+                        size,
+                        bounds.turn_deviation,
+                        reference,
+                        bounds.rounding,
+                        bounds.turn_rounding};
 }
 
 MatrixPose position_at(const RationalMotion<double>& path, double tau) {

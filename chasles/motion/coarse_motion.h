@@ -24,6 +24,9 @@ struct CoarseMotion {
     /// in addition.
     double turn_deviation = 0;
     Vector3<double> reference{};
+    // At the start, at tau = 0, both deviations are no more than these.
+    double start_deviation = 0;
+    double start_turn_deviation = 0;
 };
 
 /// The rounding of a coarse motion over the sum of all sizes: CoarseMotion::size and the sizes of the bodies. The

@@ -271,8 +271,13 @@ std::optional<CoarseMotion> EvenTrajectory::coarse(std::size_t /*part*/) const {
     const EnclosureBounds bounds =
         enclosure_bounds(motion.reference, rates_of(motion), 1, pose_rounding<double>, motion.size);
     const PartEnds<double> ends{pose_in<double>(ends_.start), pose_in<double>(ends_.goal)};
-    return CoarseMotion{sweep_between_ends(ends, motion.reference), bounds.deviation, motion.size,
-                        bounds.turn_deviation, motion.reference};
+    return CoarseMotion{sweep_between_ends(ends, motion.reference),
+                        bounds.deviation,
+                        motion.size,
+                        bounds.turn_deviation,
+                        motion.reference,
+                        bounds.rounding,
+                        bounds.turn_rounding};
 }
 
 SmoothPieces EvenTrajectory::pieces() const {

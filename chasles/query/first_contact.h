@@ -21,7 +21,7 @@ enum class Verdict : std::uint8_t {
     unknown,          ///< no answer: a Limit was reached, or a default-constructed answer, which claims nothing
     clear,            ///< no contact on [0, 1]
     contact,          ///< first contact inside FirstContact::time, none before its lower end
-    contact_at_start, ///< touching or overlapping at time 0
+    contact_at_start, ///< at time 0 the surfaces touch or cross, or one body is inside of the other one
 };
 
 /// How to answer a question. The same for one motion, a path and a batch.
@@ -50,6 +50,9 @@ struct [[nodiscard]] FirstContact {
     /// Only with contact_at_start, when surfaces pass through each other. One that is not certain is named only where
     /// no features touch.
     std::optional<Overlap> overlap;
+    /// Only with contact_at_start, when a body, or a part of it, is inside of the other one and the surfaces do not
+    /// meet. There are no contacts then. Source: docs/derivations/37-inside.md.
+    std::optional<Inside> inside;
     Pose pose;       ///< of the moving body in the world at time.lower; at time 1 if clear
     Pose fixed_pose; ///< likewise of the fixed body
     Work work;

@@ -198,6 +198,7 @@ LeastDistance LeastDistanceSearch::of_touch(const FirstContact& touch) const {
     answer.contacts = touch.contacts;
     answer.contacts_cut = touch.contacts_cut;
     answer.overlap = touch.overlap;
+    answer.inside = touch.inside;
     answer.pose = touch.pose;
     answer.fixed_pose = touch.fixed_pose;
     answer.work = work_;

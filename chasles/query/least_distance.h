@@ -12,7 +12,7 @@ struct LeastDistanceOptions {
     Find find = Find::first;       ///< one feature pair, or with `first_with_all_contacts` every one; not `any`
 };
 
-/// The least distance of the surfaces over a motion.
+/// The least distance of the bodies over a motion; 0 where one is inside of the other one.
 struct [[nodiscard]] LeastDistance {
     Bracket distance; ///< encloses the least distance, mesh unit; {0, 0} if the bodies touch
     Bracket time; ///< within it the surfaces come as near as distance.upper, in [0, 1]; of the first contact if they
@@ -23,6 +23,7 @@ struct [[nodiscard]] LeastDistance {
     std::vector<Contact> contacts;  ///< the nearest features at time.lower, in the world; their gaps are the distance
     bool contacts_cut = false;      ///< there are more such features than the list has
     std::optional<Overlap> overlap; ///< where surfaces pass through each other at time 0
+    std::optional<Inside> inside;   ///< where one body is inside of the other one at time 0
     Pose pose;                      ///< of the moving body in the world at time.lower
     Pose fixed_pose;                ///< likewise of the fixed body
     Work work;

@@ -7,6 +7,7 @@
 #include "chasles/memory/orbit_filter.h"
 #include "chasles/query/report.h"
 #include "chasles/query/requirements.h"
+#include "chasles/search/nested.h"
 
 #include <algorithm>
 
@@ -59,7 +60,7 @@ class PieceByPiece {
 public:
     explicit PieceByPiece(const PairQuery& query)
         : query_(query), options_(query.options), pieces_(query.trajectory.pieces()),
-          orbits_(query.moving, query.fixed),
+          first_(query.moving, query.fixed, pieces_->at(0)), orbits_(query.moving, query.fixed),
           memory_(&query.memory == &search::no_memory() && pieces_->size() > 1 ? orbits_ : query.memory) {}
 
     FirstContact run();
@@ -71,39 +72,61 @@ private:
         bool is_reached = false; ///< the bodies start as near as they may be
     };
     [[nodiscard]] std::optional<PieceResult> contact_in(PieceContext& context, search::SearchOptions options,
-                                                        Work& work) const;
-    FirstContact run_within(double level, bool checks_start);
+                                                        double until, Work& work) const;
+    FirstContact run_within(double level, bool checks_start, double until);
+    FirstContact run_on_surfaces();
+    [[nodiscard]] FirstContact inside_at_start(const search::Nested& nested) const;
     FirstContact run_from_within();
-    [[nodiscard]] std::optional<Level> level_of(const PieceContext& piece, const ContactMoment& start,
-                                                const search::NearFeatures& near) const;
+    [[nodiscard]] std::optional<Level> level_of(const ContactMoment& start, const search::NearFeatures& near) const;
 
-    [[nodiscard]] PieceContext piece(std::size_t index) const {
-        return {query_.moving, query_.fixed, pieces_->at(index)};
-    }
-    [[nodiscard]] double resting_slack(const PieceContext& piece) const;
+    [[nodiscard]] double resting_slack() const;
     [[nodiscard]] double least_distance(const ContactMoment& start, const search::NearFeatures& near) const;
 
     const PairQuery& query_;
     const QueryOptions& options_;
     std::unique_ptr<const motion::AnyPieces> pieces_;
+    PieceContext first_;
     memory::OrbitFilter orbits_; ///< of this question, from piece to piece
     search::Memory& memory_;
 };
 
+/// A body inside of the other one touches it, also where no surface does. Surfaces that meet at the start say more.
 FirstContact PieceByPiece::run() {
-    return options_.hold ? run_from_within() : run_within(options_.margin, true);
+    const std::optional<search::Nested> nested = nested_at_start(first_);
+    if (!nested || run_within(0, true, 0).verdict == Verdict::contact_at_start)
+        return run_on_surfaces();
+    return inside_at_start(*nested);
+}
+
+FirstContact PieceByPiece::run_on_surfaces() {
+    return options_.hold ? run_from_within() : run_within(options_.margin, true, query_.until);
+}
+
+FirstContact PieceByPiece::inside_at_start(const search::Nested& nested) const {
+    FirstContact found;
+    found.verdict = Verdict::contact_at_start;
+    found.certain = nested.certain;
+    found.tau = first_.piece().tau_of({0, 0});
+    found.pose = first_.piece().pose_at(0);
+    found.fixed_pose = first_.piece().fixed_pose_at(0);
+    const Body& body = nested.moving_is_inside ? query_.moving : query_.fixed;
+    const Eigen::Isometry3d place = (nested.moving_is_inside ? found.pose : found.fixed_pose).isometry();
+    found.inside = Inside{nested.moving_is_inside,
+                          {nested.vertex, nested.vertex},
+                          contact::product(place.linear(), body.vertices()[nested.vertex]) + place.translation()};
+    return found;
 }
 
 /// A contact in a piece that begins no later than asked for: the tau of that time is rounded up. A search for any
 /// contact may come upon a later one first.
-std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, search::SearchOptions options,
+std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, search::SearchOptions options, double until,
                                                     Work& work) const {
     for (;; options.finds_any = false) {
         PieceResult result = search_within_limit(context, options);
         work += result.work;
         if (!has_contact(result))
             return std::nullopt;
-        if (context.piece().time_of(enclosing(result)).lower <= query_.until)
+        if (context.piece().time_of(enclosing(result)).lower <= until)
             return result;
         if (!options.finds_any)
             return std::nullopt;
@@ -111,45 +134,45 @@ std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, searc
 }
 
 /// The first time at which the bodies are within the level. `checks_start`: they may be at time 0.
-FirstContact PieceByPiece::run_within(double level, bool checks_start) {
+FirstContact PieceByPiece::run_within(double level, bool checks_start, double until) {
     FirstContact found;
     const bool finds_any = options_.find == Find::any && checks_start;
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
-        PieceContext context = piece(i);
-        if (i > 0 && context.piece().time_of({0, 0}).lower > query_.until)
+        std::optional<PieceContext> later;
+        PieceContext& context = i == 0 ? first_ : later.emplace(query_.moving, query_.fixed, pieces_->at(i));
+        if (i > 0 && context.piece().time_of({0, 0}).lower > until)
             break;
         const auto result = contact_in(context,
                                        {.tolerance = context.piece().tau_tolerance(options_.time_tolerance),
                                         .finds_any = finds_any,
                                         .margin = level,
                                         .check_start = checks_start && i == 0,
-                                        .until = tau_after(context.piece(), query_.until),
+                                        .until = tau_after(context.piece(), until),
                                         .memory = memory_},
-                                       found.work);
+                                       until, found.work);
         if (result) {
             report(found, context, *result, {options_, i == 0, level});
             found.clear_until = finds_any ? context.piece().time_of({0, 0}).lower : found.time.lower;
             return found;
         }
     }
-    set_clear(found, query_.trajectory, query_.until);
+    set_clear(found, query_.trajectory, until);
     return found;
 }
 
 /// Bodies that start within the margin may move on, and are reported at a smaller level.
 /// Source: docs/derivations/17-hold.md.
 FirstContact PieceByPiece::run_from_within() {
-    PieceContext first = piece(0);
     // A motion that stopped at the margin ended within it, up to rounding.
-    const ContactMoment start(first, 0, true, options_.margin + resting_slack(first), 0);
+    const ContactMoment start(first_, 0, true, options_.margin + resting_slack(), 0);
     const search::NearFeatures near = start.find({.finds_overlaps = true, .memory = memory_});
     const bool is_within = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
-    const std::optional<Level> level = is_within ? level_of(first, start, near) : Level{options_.margin};
+    const std::optional<Level> level = is_within ? level_of(start, near) : Level{options_.margin};
     FirstContact found;
     if (level)
-        found = run_within(level->distance, !is_within);
+        found = run_within(level->distance, !is_within, query_.until);
     else
-        report(found, first, contact_of(near), {options_, true, options_.margin});
+        report(found, first_, contact_of(near), {options_, true, options_.margin});
     found.work += near.work;
     if (!is_within || !level)
         return found;
@@ -162,11 +185,11 @@ FirstContact PieceByPiece::run_from_within() {
 
 /// `hold` and a small reserve, which is given up where the bodies are that near by rounding; their distance at the
 /// start where that is less. Empty if they touch.
-std::optional<PieceByPiece::Level> PieceByPiece::level_of(const PieceContext& piece, const ContactMoment& start,
+std::optional<PieceByPiece::Level> PieceByPiece::level_of(const ContactMoment& start,
                                                           const search::NearFeatures& near) const {
     if (near.overlap)
         return std::nullopt;
-    const double rounding = resting_slack(piece);
+    const double rounding = resting_slack();
     const double distance = least_distance(start, near);
     if (distance <= rounding)
         return std::nullopt;
@@ -179,9 +202,9 @@ std::optional<PieceByPiece::Level> PieceByPiece::level_of(const PieceContext& pi
 }
 
 /// A hundred times as much as the rounding of poses to doubles moves bodies.
-double PieceByPiece::resting_slack(const PieceContext& piece) const {
+double PieceByPiece::resting_slack() const {
     constexpr double rounding_of_poses = 0x1p-44;
-    return rounding_of_poses * piece.error_scale(options_.margin).length;
+    return rounding_of_poses * first_.error_scale(options_.margin).length;
 }
 
 /// The least distance at the start, which is one of the local minima.

@@ -13,12 +13,14 @@ inline void swap_roles(std::vector<Contact>& contacts) {
         contact = contact.swapped();
 }
 
-/// What all answers have: contacts, overlap and poses.
+/// What all answers have: contacts, overlap, inside and poses.
 template <class Answer>
 void swap_roles(Answer& answer) {
     swap_roles(answer.contacts);
     if (answer.overlap)
         answer.overlap->edge_is_moving = !answer.overlap->edge_is_moving;
+    if (answer.inside)
+        answer.inside->moving_is_inside = !answer.inside->moving_is_inside;
     std::swap(answer.pose, answer.fixed_pose);
 }
 

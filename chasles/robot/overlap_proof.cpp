@@ -1,12 +1,13 @@
 #include "chasles/robot/overlap_proof.h"
 
 #include "chasles/contact/relative_configuration.h"
+#include "chasles/culling/winding.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace chasles::robot {
@@ -20,21 +21,6 @@ constexpr std::size_t most_tries = 24;
 /// Of all lengths that enter; places are computed in double.
 constexpr double rounding_share = 1e-9;
 
-/// The connected parts of a surface: vertices that share a face.
-class Parts {
-public:
-    explicit Parts(std::size_t vertices) : above_(vertices) { std::iota(above_.begin(), above_.end(), 0U); }
-    std::uint32_t of(std::uint32_t vertex) {
-        while (above_[vertex] != vertex)
-            vertex = above_[vertex] = above_[above_[vertex]];
-        return vertex;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { above_[of(a)] = of(b); }
-
-private:
-    std::vector<std::uint32_t> above_;
-};
-
 /// Never more than the distance, but for rounding.
 double distance_to(const std::array<Vector3d, 3>& triangle, const Vector3d& point) {
     const auto& [a, b, c] = triangle;
@@ -45,28 +31,6 @@ double distance_to(const std::array<Vector3d, 3>& triangle, const Vector3d& poin
     const bool is_beside = normal.squaredNorm() > 0 && normal.cross(b - a).dot(point - a) >= 0 &&
                            normal.cross(c - b).dot(point - b) >= 0 && normal.cross(a - c).dot(point - c) >= 0;
     return is_beside ? std::min(rim, std::abs(normal.dot(point - a)) / normal.norm()) : rim;
-}
-
-enum class Crossing : std::uint8_t { none, one, doubtful };
-
-/// Of a ray and a triangle; near the rim, and along the plane, it is doubtful.
-Crossing crossing_of(const std::array<Vector3d, 3>& triangle, const Vector3d& point, const Vector3d& direction) {
-    constexpr double doubt = 1e-9;
-    const Vector3d first = triangle[1] - triangle[0], second = triangle[2] - triangle[0];
-    const Vector3d across = direction.cross(second);
-    const double volume = first.dot(across);
-    if (std::abs(volume) <= doubt * first.norm() * second.norm())
-        return distance_to(triangle, point) > 0 && first.cross(second).norm() == 0 ? Crossing::none
-                                                                                   : Crossing::doubtful;
-    const Vector3d from = point - triangle[0];
-    const double u = from.dot(across) / volume, v = direction.dot(from.cross(first)) / volume;
-    const double least = std::min({u, v, 1 - u - v});
-    if (least < -doubt)
-        return Crossing::none;
-    const double way = second.dot(from.cross(first)) / volume;
-    if (way < 0)
-        return Crossing::none;
-    return least > doubt ? Crossing::one : Crossing::doubtful;
 }
 
 } // namespace
@@ -81,78 +45,53 @@ OverlapProof::OverlapProof(const Model& model, const std::vector<const Element*>
 }
 
 OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
-    Surface surface;
-    const MeshReport report = shape.report();
-    surface.is_closed = report.closed && report.nonmanifold_edges == 0 && report.segments == 0;
+    Surface surface{&shape.body(), {}, {}, {}};
     const auto vertices = shape.vertices();
-    Parts parts(vertices.size());
-    for (std::size_t f = 0; f < shape.face_count(); ++f)
-        for (const std::uint32_t vertex : shape.face(f))
-            parts.join(shape.face(f)[0], vertex);
     for (std::size_t f = 0; f < shape.face_count(); ++f) {
         const auto face = shape.face(f);
-        const std::uint32_t part = parts.of(face[0]);
         for (const auto& [a, b, c] : shape.triangles(f)) {
             surface.triangles.push_back({vertices[a], vertices[b], vertices[c]});
-            surface.points.push_back({(vertices[a] + vertices[b] + vertices[c]) / 3, part});
+            surface.points.emplace_back((vertices[a] + vertices[b] + vertices[c]) / 3);
         }
         for (std::size_t i = 0; i < face.size(); ++i) {
             const Vector3d &a = vertices[face[i]], &b = vertices[face[(i + 1) % face.size()]];
             surface.box.extend(a);
             for (const double share : {0.0, 0.25, 0.5, 0.75})
-                surface.points.push_back({a + share * (b - a), part});
+                surface.points.emplace_back(a + share * (b - a));
         }
     }
     return surface;
 }
 
-/// By the number of times that a ray leaves the surface.
-bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, double margin) {
-    for (const auto& triangle : surface.triangles)
-        if (!(distance_to(triangle, point) > margin))
-            return false;
-    for (const Vector3d& direction :
-         {Vector3d(0.57, 0.31, 0.76), Vector3d(-0.23, 0.85, 0.47), Vector3d(0.41, -0.62, 0.67)}) {
-        bool is_inside = false, is_doubtful = false;
-        for (const auto& triangle : surface.triangles) {
-            const Crossing crossing = crossing_of(triangle, point, direction);
-            is_doubtful = is_doubtful || crossing == Crossing::doubtful;
-            is_inside = is_inside != (crossing == Crossing::one);
-        }
-        if (!is_doubtful)
-            return is_inside;
-    }
-    return false;
+/// Of the volume, and farther than the margin from the surface.
+bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, double margin, double rounding) {
+    const culling::WeightedPoint<double> place{{point.x(), point.y(), point.z()}, 1, rounding};
+    std::optional<int> winding;
+    for (int ray = 0; ray < culling::ray_count && !winding; ++ray)
+        winding = culling::winding_around(*surface.body, place, point, rounding, ray);
+    return winding.value_or(0) > 0 && std::ranges::all_of(surface.triangles, [&](const auto& triangle) {
+               return distance_to(triangle, point) > margin;
+           });
 }
 
-bool OverlapProof::passes_through(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
-                                  double margin) {
-    if (!fixed.is_closed)
+bool OverlapProof::has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
+                                    double margin, double rounding) {
+    if (!fixed.body->volume().is_solid())
         return false;
-    std::vector<SurfacePoint> points;
+    std::vector<Vector3d> points;
     Eigen::AlignedBox3d box;
-    for (const SurfacePoint& point : moving.points) {
-        points.push_back({relative * point.place, point.part});
-        box.extend(points.back().place);
+    for (const Vector3d& point : moving.points) {
+        points.emplace_back(relative * point);
+        box.extend(points.back());
     }
     const Eigen::AlignedBox3d common = box.intersection(fixed.box);
-    if (common.isEmpty())
-        return false;
-    // A point beyond the box is outside of it; its part of the surface cannot be inside as a whole.
-    std::vector<std::uint32_t> leaving;
-    for (const SurfacePoint& point : points)
-        if (fixed.box.exteriorDistance(point.place) > margin)
-            leaving.push_back(point.part);
-    std::ranges::sort(leaving);
-    std::erase_if(points, [&](const SurfacePoint& point) {
-        return !std::ranges::binary_search(leaving, point.part) || !common.contains(point.place);
-    });
+    std::erase_if(points, [&](const Vector3d& point) { return !common.contains(point); });
     const Vector3d middle = common.center();
     const std::size_t tries = std::min(most_tries, points.size());
     std::ranges::partial_sort(points, points.begin() + std::ptrdiff_t(tries), {},
-                              [&](const SurfacePoint& point) { return (point.place - middle).squaredNorm(); });
+                              [&](const Vector3d& point) { return (point - middle).squaredNorm(); });
     return std::any_of(points.begin(), points.begin() + std::ptrdiff_t(tries),
-                       [&](const SurfacePoint& point) { return is_inside(fixed, point.place, margin); });
+                       [&](const Vector3d& point) { return is_inside(fixed, point, margin, rounding); });
 }
 
 bool OverlapProof::touch_within(double margin, const Configuration& configuration) const {
@@ -166,8 +105,9 @@ bool OverlapProof::touch_within(double margin, const Configuration& configuratio
             const Surface &a = of_first_[i], &b = of_second_[k];
             const double size = relative.translation().norm() + a.box.min().norm() + a.box.max().norm() +
                                 b.box.min().norm() + b.box.max().norm();
-            const double wide = margin * (1 + rounding_share) + rounding_share * size;
-            if (passes_through(a, b, relative, wide) || passes_through(b, a, relative.inverse(), wide))
+            const double rounding = rounding_share * size, wide = margin * (1 + rounding_share) + rounding;
+            if (has_point_inside(a, b, relative, wide, rounding) ||
+                has_point_inside(b, a, relative.inverse(), wide, rounding))
                 return true;
         }
     return false;

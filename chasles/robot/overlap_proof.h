@@ -1,5 +1,5 @@
 // Proof that two links overlap in all configurations near one of them: a point of one surface is inside of the other
-// body, and another one outside, both by more than any point may move.
+// body, which is solid, by more than any point may move.
 // Source: docs/derivations/29-robots.md, "Pairs that never touch".
 #pragma once
 
@@ -21,23 +21,18 @@ public:
     [[nodiscard]] bool touch_within(double margin, const Configuration& configuration) const;
 
 private:
-    /// A point of a surface, and which of its connected parts it is on.
-    struct SurfacePoint {
-        Eigen::Vector3d place;
-        std::uint32_t part = 0;
-    };
     struct Surface {
+        const Body* body;
         std::vector<std::array<Eigen::Vector3d, 3>> triangles;
-        std::vector<SurfacePoint> points;
+        std::vector<Eigen::Vector3d> points; ///< some of the surface
         Eigen::AlignedBox3d box;
-        bool is_closed = false; ///< each edge has two faces: a point is inside or outside
     };
 
     static Surface surface_of(const Polyhedron& shape);
-    /// Whether a part of the first surface passes through the second one, for any displacement up to the margin.
-    static bool passes_through(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
-                               double margin);
-    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double margin);
+    /// Whether a point of the first surface is inside of the second body, for any displacement up to the margin.
+    static bool has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
+                                 double margin, double rounding);
+    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double margin, double rounding);
 
     const Model& model_;
     const std::vector<const Element*>& first_;

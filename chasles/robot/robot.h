@@ -65,6 +65,7 @@ struct RobotFiles {
     /// Spheres, cylinders and capsules become polyhedra that enclose them and leave them by at most this part of their
     /// radius.
     double primitive_deviation = 0.01;
+    Solid solid = Solid::automatic; ///< of meshes; primitives are solid
 };
 
 /// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may

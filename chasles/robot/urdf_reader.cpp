@@ -165,7 +165,8 @@ Polyhedron UrdfReader::mesh(const XmlElement& element) {
         for (std::vector<std::uint32_t>& face : soup.faces)
             std::ranges::reverse(face);
     try {
-        const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true});
+        const Polyhedron body =
+            Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true, .solid = files_.solid});
         io::warn_of_cut_polygons(found.path, soup, body, warnings_);
         return meshes_.emplace(key, body).first->second;
     } catch (const InvalidInput& error) {

@@ -82,6 +82,14 @@ contact::RelativeConfiguration PieceContext::configuration_at(double tau) const 
     return bodies;
 }
 
+std::optional<RefinedStart> PieceContext::refined_start() const {
+    if (!is_enclosed() || !piece_->is_refined())
+        return std::nullopt;
+    const motion::Enclosure<algebra::DoubleDouble> start = *piece_->refined_enclosure({0, 0x1p-45});
+    const auto maps = motion::control_maps(start.cubic);
+    return RefinedStart{maps, parts(0).scale_of(start, maps)};
+}
+
 const motion::ControlMaps<algebra::DoubleDouble>& PieceContext::refined_maps() {
     if (!refined_maps_)
         refined_maps_ =

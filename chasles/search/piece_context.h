@@ -12,6 +12,12 @@
 
 namespace chasles::search {
 
+/// The start of an enclosed motion in double-double, with the bound of its errors.
+struct RefinedStart {
+    motion::ControlMaps<algebra::DoubleDouble> maps;
+    elementary::ErrorScale scale;
+};
+
 /// Two bodies and one piece of motion. Bodies are kept by reference. For one thread.
 class PieceContext {
 public:
@@ -38,6 +44,10 @@ public:
     [[nodiscard]] bool is_enclosed() const { return start_.has_value(); }
     /// The bodies at one tau.
     [[nodiscard]] contact::RelativeConfiguration configuration_at(double tau) const;
+
+    /// Of an enclosed motion, by the enclosure of a short part: its start is known far better than that of the whole.
+    /// Empty where the maps are the true motion, and where there is none in double-double.
+    [[nodiscard]] std::optional<RefinedStart> refined_start() const;
 
     /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not).
     /// Computed on the first call: most searches need neither.

@@ -12,18 +12,15 @@ bool StartOverlaps::collect(FeatureTests<double>& filter, const TwoFaces& faces)
     return found_.has_value();
 }
 
-/// On an enclosed motion by the enclosure of a short part, whose start is known far better than that of the whole.
 FeatureTests<algebra::DoubleDouble>& StartOverlaps::refinement() {
     if (refinement_)
         return *refinement_;
     refinement_ = std::make_unique<FeatureTests<algebra::DoubleDouble>>(context_.moving(), context_.fixed(), scale_);
-    if (context_.is_enclosed() && context_.piece().is_refined()) {
-        const motion::Enclosure<algebra::DoubleDouble> start = *context_.piece().refined_enclosure({0, 0x1p-45});
-        enclosed_maps_ = motion::control_maps(start.cubic);
-        refinement_->use(enclosed_maps_, context_.parts(0).scale_of(start, enclosed_maps_), {});
-    } else {
+    enclosed_start_ = context_.refined_start();
+    if (enclosed_start_)
+        refinement_->use(enclosed_start_->maps, enclosed_start_->scale, {});
+    else
         refinement_->use(context_.refined_maps(), {});
-    }
     return *refinement_;
 }
 

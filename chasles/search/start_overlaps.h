@@ -46,7 +46,7 @@ private:
     PieceContext& context_;
     const elementary::ErrorScale& scale_;
     std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
-    motion::ControlMaps<algebra::DoubleDouble> enclosed_maps_;        ///< of the refinement, on an enclosed motion
+    std::optional<RefinedStart> enclosed_start_;                      ///< of the refinement, on an enclosed motion
     std::optional<contact::RelativeConfiguration> start_;             ///< made on the first use
     std::optional<Overlap> found_;
     std::vector<Overlap> uncertain_;

@@ -75,6 +75,14 @@ function overlap(reader) {
   return { moving_feature, fixed_feature, point: reader.point() };
 }
 
+/** Adds which body is inside of the other one, if one is. */
+function addInside(answer, reader) {
+  if (!reader.flag()) return;
+  answer.inside = reader.flag() ? "moving" : "fixed";
+  answer.inside_vertex = reader.number();
+  answer.inside_point = reader.point();
+}
+
 function work(reader) {
   return {
     node_pairs: reader.number(),
@@ -110,6 +118,7 @@ function addFound(answer, reader, hasTau) {
   answer.contacts = reader.list(contact);
   const found = overlap(reader);
   if (found) answer.overlap = found;
+  addInside(answer, reader);
   if (isCut) answer.contacts_cut = true;
   return work(reader);
 }
@@ -217,5 +226,7 @@ export function meshReport(reader) {
   const names = ["vertices", "distinct_vertices", "faces", "triangles", "polygons", "edges", "boundary_edges"];
   const report = {};
   for (const name of [...names, "nonmanifold_edges", "dropped_faces", "segments"]) report[name] = reader.number();
-  return { ...report, closed: reader.flag(), lower: reader.point(), upper: reader.point() };
+  report.closed = reader.flag();
+  for (const name of ["unpaired_edges", "surface_parts", "solid_parts", "volume"]) report[name] = reader.number();
+  return { ...report, lower: reader.point(), upper: reader.point() };
 }

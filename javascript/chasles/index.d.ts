@@ -110,12 +110,17 @@ export interface ContactParts {
   /** The moving body in the world, and the fixed body, at `time`. */
   pose: PoseNumbers;
   fixed_pose: PoseNumbers;
-  /** Not empty, except with `overlap`: bodies that pass through each other at time 0 may have no contacts. Write `contacts[0]?.`. */
+  /** Not empty, except with `overlap` and `inside`: bodies in each other at time 0 may have no contacts. Write `contacts[0]?.`. */
   contacts: Contact[];
   /** There are more contacts than the list has. */
   contacts_cut?: true;
   /** Where the bodies pass through each other at time 0. */
   overlap?: Overlap;
+  /** At time 0 this body, or a part of it, is inside of the other one, and the surfaces do not meet: there are no contacts. */
+  inside?: "moving" | "fixed";
+  /** A vertex of that body which is inside, and its place in the world. */
+  inside_vertex?: number;
+  inside_point?: Point;
 }
 
 export interface ClearAnswer {
@@ -206,8 +211,22 @@ export interface MeshReport {
   dropped_faces: number;
   segments: number;
   closed: boolean;
+  /** Edges that faces do not run along equally often in both directions. */
+  unpaired_edges: number;
+  /** Connected parts of the surface, and those whose volume belongs to the body. */
+  surface_parts: number;
+  solid_parts: number;
+  /** That the solid parts enclose; negative if they are turned inwards. */
+  volume: number;
   lower: Point;
   upper: Point;
+}
+
+export interface BodyOptions {
+  /** Cut polygons that are not planar, cross themselves or turn back into triangles. */
+  triangulate?: boolean | undefined;
+  /** Whether the volume that a closed surface encloses belongs to the body: of each closed part ("automatic"), of all ("yes", or the mesh is refused), or of none. */
+  solid?: "automatic" | "yes" | "no" | undefined;
 }
 
 export interface Polyhedron extends Held {}
@@ -286,7 +305,7 @@ export type SceneContact =
     });
 
 export interface SceneEvents {
-  /** `contacts` may be empty for a pair that overlaps at time 0. */
+  /** `contacts` may be empty for a pair that overlaps, or of which one body is inside of the other one, at time 0. */
   events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
   work: Work;
   untested: Untested;
@@ -459,18 +478,18 @@ export declare class Chasles {
   polyhedron(
     vertices: Numbers | readonly Numbers[],
     faces: Numbers | readonly Numbers[],
-    options?: { triangulate?: boolean | undefined },
+    options?: BodyOptions,
   ): Polyhedron;
   /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
-  fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean | undefined }): Polyhedron;
+  fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: BodyOptions): Polyhedron;
   /** A body of a geometry of three.js. Vertices at equal places count as one. Where a mesh decides about the shape, `fromObject3D` takes it. */
-  fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean | undefined }): Polyhedron;
+  fromBufferGeometry(geometry: GeometryLike, options?: BodyOptions): Polyhedron;
   /**
    * A body of a Mesh of three.js as it is drawn in the world, and its pose: scale, shear and mirroring are in the body, and so are
    * morph targets and bones as they are now. Of a mesh with a list of materials, the triangles of its groups are taken.
    * `visible` is not read: a hidden object is a body, and so are triangles whose material is hidden.
    */
-  fromObject3D(mesh: MeshLike, options?: { triangulate?: boolean | undefined }): MeshBody;
+  fromObject3D(mesh: MeshLike, options?: BodyOptions): MeshBody;
   scene(): Scene;
   draggedBody(scene: Scene, name: string, options?: DragOptions): DraggedBody;
 

@@ -5,6 +5,7 @@ import { given, Held } from "./held.js";
 import { checkOptions, isArrayBuffer, isList, number, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
+const solids = ["automatic", "yes", "no"];
 const largestIndex = 2 ** 32 - 1;
 
 /** A polyhedral surface. It never changes. */
@@ -35,15 +36,15 @@ export class Polyhedron extends Held {
   /** The arrays that make the same body, with the same ids, in another instance. */
   static copy(body) {
     const given = part(body, "given");
-    const count = given[1];
-    const sizes = Uint32Array.from(given.subarray(2, 2 + count));
-    const corners = Uint32Array.from(given.subarray(2 + count));
-    return { vertices: body.vertices, sizes, corners, triangulate: given[0] === 1 };
+    const [triangulate, solid, count] = given;
+    const sizes = Uint32Array.from(given.subarray(3, 3 + count));
+    const corners = Uint32Array.from(given.subarray(3 + count));
+    return { vertices: body.vertices, sizes, corners, options: [triangulate, solid] };
   }
-  static ofCopy(border, { vertices, sizes, corners, triangulate }) {
+  static ofCopy(border, { vertices, sizes, corners, options }) {
     border.giveNumbers(vertices);
     border.giveBytes(bytesOf(sizes), bytesOf(corners));
-    return new Polyhedron(border, border.call("body_from_arrays", sizes.length, triangulate ? 1 : 0));
+    return new Polyhedron(border, border.call("body_from_arrays", sizes.length, ...options));
   }
 }
 
@@ -54,11 +55,13 @@ function part(body, name) {
 
 const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 
-function triangulated(options) {
-  checkOptions(options, ["triangulate"]);
-  const { triangulate = false } = options;
+/** As numbers: whether to triangulate, and what is solid. */
+function bodyOptions(options) {
+  checkOptions(options, ["triangulate", "solid"]);
+  const { triangulate = false, solid = "automatic" } = options;
   if (typeof triangulate !== "boolean") throw new InvalidInput("triangulate: must be true or false");
-  return triangulate;
+  if (!solids.includes(solid)) throw new InvalidInput('solid: must be "automatic", "yes" or "no"');
+  return [triangulate ? 1 : 0, solids.indexOf(solid)];
 }
 
 /** Points as one array of numbers: a typed array, or an array of numbers or of points. */
@@ -104,15 +107,15 @@ function polygonFaces(faces) {
 }
 
 export function fromArrays(border, vertices, faces, options) {
-  const triangulate = triangulated(options);
-  return Polyhedron.ofCopy(border, { vertices: flatPoints(vertices), ...flatFaces(faces), triangulate });
+  const numbers = bodyOptions(options);
+  return Polyhedron.ofCopy(border, { vertices: flatPoints(vertices), ...flatFaces(faces), options: numbers });
 }
 
 export function fromFile(border, content, name, options) {
-  const triangulate = triangulated(options);
+  const numbers = bodyOptions(options);
   const bytes = isArrayBuffer(content) ? new Uint8Array(content) : content;
   if (!ArrayBuffer.isView(bytes)) throw new InvalidInput("content: must be a Uint8Array or an ArrayBuffer");
   const nameBytes = new TextEncoder().encode(text(name, "name"));
   border.giveBytes(nameBytes, bytesOf(bytes));
-  return new Polyhedron(border, border.call("body_from_file", nameBytes.length, triangulate ? 1 : 0));
+  return new Polyhedron(border, border.call("body_from_file", nameBytes.length, ...numbers));
 }

@@ -53,31 +53,36 @@ bool has_given_ids(const Polyhedron& polyhedron) {
     return polyhedron.report().dropped_faces == 0;
 }
 
-HeldBody held(Polyhedron shape, bool triangulate, FlatLists<std::uint32_t> faces) {
-    if (has_given_ids(shape))
-        faces = {};
-    return {std::move(shape), triangulate, std::move(faces)};
+PolyhedronOptions options_of(std::int32_t triangulate, std::int32_t solid) {
+    if (solid < 0 || solid > std::int32_t(Solid::no))
+        throw InvalidInput("solid: must be 'automatic', 'yes' or 'no'");
+    return {.triangulate = triangulate != 0, .solid = Solid(solid)};
 }
 
-HeldBody body_from_arrays(std::uint32_t face_count, bool triangulate) {
+HeldBody held(Polyhedron shape, const PolyhedronOptions& options, FlatLists<std::uint32_t> faces) {
+    if (has_given_ids(shape))
+        faces = {};
+    return {std::move(shape), options, std::move(faces)};
+}
+
+HeldBody body_from_arrays(std::uint32_t face_count, const PolyhedronOptions& options) {
     FlatLists<std::uint32_t> faces = given_faces(face_count);
     std::vector<std::span<const std::uint32_t>> outlines;
     for (std::size_t face = 0; face < faces.size(); ++face)
         outlines.push_back(faces[face]);
-    return held(Polyhedron::from_outlines(given_points(), outlines, {.triangulate = triangulate}), triangulate,
-                std::move(faces));
+    return held(Polyhedron::from_outlines(given_points(), outlines, options), options, std::move(faces));
 }
 
-HeldBody body_from_file(std::uint32_t name_size, bool triangulate) {
+HeldBody body_from_file(std::uint32_t name_size, const PolyhedronOptions& options) {
     const std::string_view bytes = given_bytes();
     const std::string name = io::one_line(bytes.substr(0, name_size));
     const std::string_view content = bytes.substr(std::min<std::size_t>(name_size, bytes.size()));
-    Polyhedron shape = io::read_polyhedron(content, name, {.triangulate = triangulate});
+    Polyhedron shape = io::read_polyhedron(content, name, options);
     FlatLists<std::uint32_t> faces;
     if (!has_given_ids(shape)) // reads it again, which is rare
         for (const auto& face : io::read_polygons(content, name).faces)
             faces.append(face);
-    return held(std::move(shape), triangulate, std::move(faces));
+    return held(std::move(shape), options, std::move(faces));
 }
 
 void write_report(Numbers& out, const MeshReport& report) {
@@ -86,6 +91,9 @@ void write_report(Numbers& out, const MeshReport& report) {
           report.boundary_edges, report.nonmanifold_edges, report.dropped_faces, report.segments})
         out.push_back(double(count));
     out.push_back(report.closed ? 1 : 0);
+    for (const std::size_t count : {report.unpaired_edges, report.parts, report.solid_parts})
+        out.push_back(double(count));
+    out.push_back(report.volume);
     write(out, report.lower);
     write(out, report.upper);
 }
@@ -138,7 +146,8 @@ void write_part(Numbers& out, const HeldBody& body, Part part) {
     }
     const bool is_as_given = body.given_faces.size() == 0;
     const FlatLists<std::uint32_t> faces = is_as_given ? outlines_of(body.shape) : body.given_faces;
-    out.push_back(body.triangulate ? 1 : 0);
+    out.push_back(body.options.triangulate ? 1 : 0);
+    out.push_back(double(body.options.solid));
     out.push_back(double(faces.size()));
     write_lists(out, faces);
 }
@@ -149,13 +158,15 @@ void write_part(Numbers& out, const HeldBody& body, Part part) {
 namespace js = chasles::javascript;
 
 /// A body of the points in the numbers and the faces in the bytes. Returns its handle.
-CHASLES_JAVASCRIPT(body_from_arrays)(std::uint32_t face_count, std::int32_t triangulate) {
-    return js::guarded([&] { return js::bodies().add(js::body_from_arrays(face_count, triangulate != 0)); });
+CHASLES_JAVASCRIPT(body_from_arrays)(std::uint32_t face_count, std::int32_t triangulate, std::int32_t solid) {
+    return js::guarded(
+        [&] { return js::bodies().add(js::body_from_arrays(face_count, js::options_of(triangulate, solid))); });
 }
 
 /// A body of a mesh file: the bytes are its name and its content. Returns its handle.
-CHASLES_JAVASCRIPT(body_from_file)(std::uint32_t name_size, std::int32_t triangulate) {
-    return js::guarded([&] { return js::bodies().add(js::body_from_file(name_size, triangulate != 0)); });
+CHASLES_JAVASCRIPT(body_from_file)(std::uint32_t name_size, std::int32_t triangulate, std::int32_t solid) {
+    return js::guarded(
+        [&] { return js::bodies().add(js::body_from_file(name_size, js::options_of(triangulate, solid))); });
 }
 
 /// Answers with a part of a body.

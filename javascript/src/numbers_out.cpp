@@ -28,6 +28,14 @@ static void write(Numbers& out, const std::optional<Overlap>& overlap) {
     write(out, overlap->point);
 }
 
+static void write(Numbers& out, const std::optional<Inside>& inside) {
+    out.push_back(inside ? 1 : 0);
+    if (!inside)
+        return;
+    add(out, {inside->moving_is_inside ? 1.0 : 0.0, double(inside->vertex.first)});
+    write(out, inside->point);
+}
+
 /// What both kinds of answers have.
 template <typename Found>
 static void write_contacts(Numbers& out, const Found& found) {
@@ -38,6 +46,7 @@ static void write_contacts(Numbers& out, const Found& found) {
     write(out, found.fixed_pose);
     write(out, found.contacts);
     write(out, found.overlap);
+    write(out, found.inside);
     write(out, found.work);
 }
 

@@ -14,7 +14,7 @@ namespace chasles::javascript {
 /// A body, and what makes it again with the same ids: in another instance, for a worker.
 struct HeldBody {
     Polyhedron shape;
-    bool triangulate = false;
+    PolyhedronOptions options;
     FlatLists<std::uint32_t> given_faces; ///< empty if the faces of the body are those that were given
 };
 

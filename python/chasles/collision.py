@@ -320,8 +320,8 @@ def _collisions(
     for pair in found if return_data else []:
         moving, fixed = pair.pair  # type: ignore[misc]
         placed, shown = (bodies[moving], bodies[fixed]), (moving[first_letter:], fixed[first_letter:])
-        overlap = [pair.overlap] if pair.overlap is not None else []
-        data += [ContactData(shown, placed, contact) for contact in [*pair.contacts, *overlap]]
+        others = [pair.overlap] * (pair.overlap is not None) + [pair] * (pair.inside is not None)
+        data += [ContactData(shown, placed, contact) for contact in [*pair.contacts, *others]]
     return _chosen(bool(found), (return_names, names), (return_data, data))
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._core import Contact, InvalidInput
+from ._core import Contact, InvalidInput, Overlap
 from .enums import ContactKind
 from .placed import Placed
 
@@ -15,7 +15,8 @@ _FEATURES = {kind: str(kind).split("_") for kind in ContactKind}
 class ContactData:
     """A contact of two objects at rest.
 
-    `names` is the set of both names. There is no `depth`: surfaces collide, not volumes, so no penetration is measured.
+    `names` is the set of both names. There is no `depth`: no penetration is measured. Of an object that is inside of
+    another one there is a vertex, and neither a `normal` nor a face of the other object.
     """
 
     def __init__(self, names: tuple[str, str], placed: tuple[Placed, Placed], contact: Any):
@@ -25,12 +26,15 @@ class ContactData:
         if isinstance(contact, Contact):
             self._features, self._normal = dict(zip(names, (contact.moving, contact.fixed))), contact.normal
             self._kinds = dict(zip(names, _FEATURES[contact.kind]))
-        else:  # an edge of one object through a face of the other
+        elif isinstance(contact, Overlap):  # an edge of one object through a face of the other
             of_edge, of_face = names if contact.edge_is_moving else names[::-1]
             self._features = {of_edge: contact.edge, of_face: (contact.face,)}
             self._kinds = {of_edge: "edge", of_face: "face"}
             self._normal = self._bodies[of_face].normal_of(contact.face)
-        self._point = contact.point
+        else:  # an answer: a vertex of one object inside of the other
+            inner = names[0] if contact.inside == "moving" else names[1]
+            self._features, self._kinds, self._normal = {inner: (contact.inside_vertex,)}, {inner: "vertex"}, None
+        self._point = contact.point if self._normal is not None else contact.inside_point
 
     def __repr__(self) -> str:
         return f"<chasles ContactData: {' and '.join(sorted(self.names))} at {self._point}>"
@@ -38,16 +42,18 @@ class ContactData:
     @property
     def normal(self) -> npt.NDArray[np.float64]:
         """A unit normal of the contact (3,), in the world; where surfaces cross, that of the face that is crossed."""
+        if self._normal is None:
+            raise AttributeError("normal: one object is inside of the other one, and no surfaces touch")
         return self._normal
 
     @property
     def point(self) -> npt.NDArray[np.float64]:
-        """A point of both surfaces (3,), in the world."""
+        """A point of both objects (3,), in the world."""
         return self._point
 
     @property
     def depth(self) -> float:
-        raise AttributeError("depth: chasles measures no penetration: surfaces collide, not volumes")
+        raise AttributeError("depth: chasles measures no penetration")
 
     def index(self, name: str) -> int:
         """The index of a face in contact, of the object of this name. Raises InvalidInput for another name."""
@@ -72,10 +78,10 @@ class DistanceData:
             self._features = dict(zip(names, (contact.moving, contact.fixed)))
             self._kinds = dict(zip(names, _FEATURES[contact.kind]))
             points = contact.point + contact.gap * contact.normal, contact.point
-        elif found.overlap is None:  # they touch, and no feature is known
+        elif found.overlap is None and found.inside is None:  # they touch, and no feature is known
             return
         else:
-            crossing = ContactData(names, placed, found.overlap)
+            crossing = ContactData(names, placed, found if found.overlap is None else found.overlap)
             self._features, self._kinds, points = crossing._features, crossing._kinds, (crossing.point,) * 2
         self._points = dict(zip(names, points))
 
@@ -106,4 +112,6 @@ class DistanceData:
 def _face_index(bodies: Any, kinds: dict[str, str], features: dict[str, tuple[int, ...]], name: str) -> int:
     if name not in bodies:
         raise InvalidInput(f"{name}: is none of the two objects {' and '.join(sorted(bodies))}")
+    if name not in features:
+        raise InvalidInput(f"{name}: the other object is inside of it, and no face of it touches")
     return bodies[name].face_with(kinds[name], features[name])

@@ -14,7 +14,7 @@ class Verdict(_Word):
     unknown = "unknown"  #: no answer: a `Limit` was reached before
     clear = "clear"  #: no contact on [0, 1]
     contact = "contact"  #: first contact inside the bracket of time, none before its lower end
-    contact_at_start = "contact_at_start"  #: already touching or overlapping at time 0
+    contact_at_start = "contact_at_start"  #: at time 0 the surfaces touch or cross, or one body is inside of the other
 
     def __bool__(self) -> bool:
         raise TypeError("a verdict has no truth value: compare it, as in `found.verdict == chasles.Verdict.clear`")

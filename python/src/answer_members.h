@@ -48,6 +48,36 @@ void bind_times(nb::class_<AnyAnswer>& type, const MemberDocs& docs) {
             "certain", [](const AnyAnswer& a) { return a.found.certain; }, docs.certain);
 }
 
+/// `inside_of(answer)` is what is inside, optional.
+template <typename AnyAnswer, typename InsideOf>
+void bind_inside(nb::class_<AnyAnswer>& type, InsideOf inside_of) {
+    type.def_prop_ro(
+            "inside",
+            [inside_of](const AnyAnswer& a) {
+                const std::optional<Inside>& inside = inside_of(a);
+                return inside ? std::optional(inside->moving_is_inside ? "moving" : "fixed") : std::nullopt;
+            },
+            nb::sig("def inside(self) -> str | None"),
+            "'moving' or 'fixed': at time 0 this body, or a part of its surface, is inside of the other one, and the "
+            "surfaces do "
+            "not\nmeet. None if neither is. See the option `solid` of Polyhedron.")
+        .def_prop_ro(
+            "inside_vertex",
+            [inside_of](const AnyAnswer& a) {
+                const std::optional<Inside>& inside = inside_of(a);
+                return inside ? std::optional(inside->vertex.first) : std::nullopt;
+            },
+            "With `inside`: the id of a vertex of that body in the other one.")
+        .def_prop_ro(
+            "inside_point",
+            [inside_of](const AnyAnswer& a) {
+                const std::optional<Inside>& inside = inside_of(a);
+                return inside ? nb::object(array_of(inside->point)) : nb::object(nb::none());
+            },
+            nb::sig("def inside_point(self) -> " CHASLES_ARRAY " | None"),
+            "With `inside`: the place of that vertex in the world.");
+}
+
 template <typename AnyAnswer>
 void bind_places(nb::class_<AnyAnswer>& type, const MemberDocs& docs) {
     type.def_prop_ro(
@@ -64,6 +94,7 @@ void bind_places(nb::class_<AnyAnswer>& type, const MemberDocs& docs) {
             "fixed_pose", [](const AnyAnswer& a) { return matrix_of(a.found.fixed_pose); },
             nb::sig("def fixed_pose(self) -> " CHASLES_ARRAY),
             "The pose of the fixed body in the world at the same time.");
+    bind_inside(type, [](const AnyAnswer& a) -> const std::optional<Inside>& { return a.found.inside; });
 }
 
 template <typename AnyAnswer>

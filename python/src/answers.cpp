@@ -31,6 +31,9 @@ std::string summary(const FirstContact& found, const std::string& bodies, const 
         text += ", " + bodies;
     if (found.overlap && found.overlap->certain)
         text += ", overlapping";
+    if (found.inside)
+        text += found.inside->moving_is_inside ? ", the moving body inside of the fixed one"
+                                               : ", the fixed body inside of the moving one";
     if (!found.contacts.empty())
         text += fmt::format(", {} contact{}: {}{}", found.contacts.size(), found.contacts.size() == 1 ? "" : "s",
                             text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");

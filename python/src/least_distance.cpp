@@ -42,6 +42,9 @@ std::string summary(const LeastDistance& found) {
                                          : " (uncertain: the bodies may miss each other by a rounding error)";
     if (found.overlap && found.overlap->certain)
         text += ", overlapping";
+    if (found.inside)
+        text += found.inside->moving_is_inside ? ", the moving body inside of the fixed one"
+                                               : ", the fixed body inside of the moving one";
     if (!found.contacts.empty())
         text += fmt::format(", {}{}", text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");
     return text;

@@ -13,6 +13,7 @@ namespace chasles::python {
 namespace {
 
 constexpr std::array<std::string_view, 3> finds{"first", "any", "first_with_all_contacts"};
+constexpr std::array<const char*, 3> solids{"automatic", "yes", "no"};
 
 /// The members of a Python enumeration in the order of the library's enumerators. They are never destroyed, because
 /// Python may have ended before static objects are destroyed.
@@ -44,6 +45,19 @@ Find find_from(nb::handle argument) {
             if (name == finds[i])
                 return Find(i);
     throw InvalidInput("find: " + text_of_argument(argument) + ": must be 'first', 'any' or 'first_with_all_contacts'");
+}
+
+const char* name_of(Solid solid) {
+    return solids[std::size_t(solid)];
+}
+
+Solid solid_from(nb::handle argument) {
+    std::string_view name;
+    if (nb::try_cast(argument, name))
+        for (std::size_t i = 0; i < solids.size(); ++i)
+            if (name == solids[i])
+                return Solid(i);
+    throw InvalidInput("solid: " + text_of_argument(argument) + ": must be 'automatic', 'yes' or 'no'");
 }
 
 view::MotionKind kind_from(nb::handle argument) {

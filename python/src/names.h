@@ -17,6 +17,10 @@ nb::object member_of(ContactKind kind);
 /// The enumerator of a member or of a name. Throws InvalidInput with a list of the names.
 Find find_from(nb::handle argument);
 
+/// Likewise of what is solid.
+Solid solid_from(nb::handle argument);
+const char* name_of(Solid solid);
+
 /// The kind of motion with this name. Throws InvalidInput with a list of the names.
 view::MotionKind kind_from(nb::handle argument);
 

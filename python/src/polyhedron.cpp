@@ -29,7 +29,7 @@ bool has_given_ids(const Polyhedron& polyhedron) {
     return polyhedron.report().dropped_faces == 0;
 }
 
-Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, unsigned threads) {
+Body body_from(nb::handle vertices, nb::handle faces, const PolyhedronOptions& options) {
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
         throw InvalidInput("vertices: the shape is " + points.shape_text() +
@@ -37,7 +37,6 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, unsigned
     const FaceLists outlines(faces);
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);
-    const PolyhedronOptions options{triangulate, threads};
     const WithoutGil without_gil;
     Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
@@ -45,8 +44,8 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, unsigned
     return body;
 }
 
-Body load(const std::filesystem::path& file, bool triangulate, unsigned threads) {
-    const PolyhedronOptions options{triangulate, threads};
+Body load(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid) {
+    const PolyhedronOptions options{triangulate, threads, solid_from(solid)};
     const WithoutGil without_gil;
     Body body{Polyhedron::load(file, options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
@@ -54,8 +53,8 @@ Body load(const std::filesystem::path& file, bool triangulate, unsigned threads)
     return body;
 }
 
-nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads) {
-    const PolyhedronOptions options{triangulate, threads};
+nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid) {
+    const PolyhedronOptions options{triangulate, threads, solid_from(solid)};
     std::vector<std::pair<std::string, Body>> bodies;
     {
         const WithoutGil without_gil;
@@ -128,8 +127,8 @@ nb::object packed_faces(const Body& body) {
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
-    return nb::make_tuple(self.type(),
-                          nb::make_tuple(vertices(self), outlines, body.options.triangulate, body.options.threads));
+    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
+                                                      body.options.threads, name_of(body.options.solid)));
 }
 
 std::string repr(const Body& body) {
@@ -156,6 +155,10 @@ void bind_report(nb::module_& module) {
         .def_ro("dropped_faces", &MeshReport::dropped_faces, doc("MeshReport.dropped_faces"))
         .def_ro("segments", &MeshReport::segments, doc("MeshReport.segments"))
         .def_ro("closed", &MeshReport::closed, doc("MeshReport.closed"))
+        .def_ro("unpaired_edges", &MeshReport::unpaired_edges, doc("MeshReport.unpaired_edges"))
+        .def_ro("parts", &MeshReport::parts, doc("MeshReport.parts"))
+        .def_ro("solid_parts", &MeshReport::solid_parts, doc("MeshReport.solid_parts"))
+        .def_ro("volume", &MeshReport::volume, doc("MeshReport.volume"))
         .def("__repr__", repr_of_report);
 }
 
@@ -165,7 +168,8 @@ const std::string& constructor_doc() {
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n" +
-        indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" + indented(doc("PolyhedronOptions.threads"));
+        indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" +
+        indented(doc("PolyhedronOptions.threads")) + "solid : str\n    'automatic', 'yes' or 'no'. " + doc("Solid");
     return text;
 }
 
@@ -176,13 +180,15 @@ void bind_polyhedron(nb::module_& module) {
     nb::class_<Body>(module, "Polyhedron", doc("Polyhedron"))
         .def(
             "__init__",
-            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, unsigned threads) {
-                new (self) Body(body_from(points, outlines, triangulate, threads));
+            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, unsigned threads,
+               nb::handle solid) {
+                new (self) Body(body_from(points, outlines, {triangulate, threads, solid_from(solid)}));
             },
             "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false, "threads"_a = 0,
+            "solid"_a.none() = "automatic",
             nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
                     "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
-                    "triangulate: bool = False, threads: int = 0) -> None"),
+                    "triangulate: bool = False, threads: int = 0, solid: str = 'automatic') -> None"),
             constructor_doc().c_str())
         .def_prop_ro("vertices", vertices, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
                      doc("Polyhedron.vertices"))
@@ -199,13 +205,14 @@ void bind_polyhedron(nb::module_& module) {
             "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
         .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
         .def("__repr__", repr);
-    module.def("load", load, "file"_a, "triangulate"_a = false, "threads"_a = 0,
+    module.def("load", load, "file"_a, "triangulate"_a = false, "threads"_a = 0, "solid"_a.none() = "automatic",
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "threads: int = 0) -> Polyhedron"),
+                       "threads: int = 0, solid: str = 'automatic') -> Polyhedron"),
                doc("Polyhedron.load"));
     module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "threads"_a = 0,
+               "solid"_a.none() = "automatic",
                nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "threads: int = 0) -> dict[str, Polyhedron]"),
+                       "threads: int = 0, solid: str = 'automatic') -> dict[str, Polyhedron]"),
                doc("load_parts"));
 }
 

@@ -117,8 +117,9 @@ std::string text_of(const PythonRobotAnswer& answer) {
 
 void bind_contact(nb::module_& module) {
     using Answer = PythonRobotAnswer;
-    nb::class_<Answer>(module, "RobotContact", "The first contact of a robot along a path.")
-        .def_prop_ro(
+    nb::class_<Answer> type(module, "RobotContact", "The first contact of a robot along a path.");
+    bind_inside(type, [](const Answer& a) -> const std::optional<Inside>& { return a.found.contact.inside; });
+    type.def_prop_ro(
             "verdict", [](const Answer& a) { return member_of(a.found.verdict); },
             nb::sig("def verdict(self) -> chasles.enums.Verdict"), "'clear', 'contact' or 'contact_at_start'.")
         .def_prop_ro(

@@ -62,6 +62,12 @@ void write_geometry(const Overlap& overlap, Row& row) {
     write_vector(overlap.point, row.point);
 }
 
+/// A vertex inside has no kind and no normal, and the other body no feature.
+void write_geometry(const Inside& inside, Row& row) {
+    write_feature(inside.vertex, inside.moving_is_inside ? row.moving_feature : row.fixed_feature);
+    write_vector(inside.point, row.point);
+}
+
 template <typename Found>
 void write_geometry_of(const Found& found, Row& row) {
     clear_geometry(row);
@@ -69,6 +75,8 @@ void write_geometry_of(const Found& found, Row& row) {
         write_geometry(found.contacts.front(), row);
     else if (found.overlap)
         write_geometry(*found.overlap, row);
+    else if (found.inside)
+        write_geometry(*found.inside, row);
 }
 
 /// The last cell to write, because the verdict marks the row as answered.

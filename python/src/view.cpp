@@ -67,7 +67,8 @@ view::SceneRecord record_of(const Answer& answer, const Polyhedron& moving, cons
                                    .moving = 0,
                                    .fixed = 1,
                                    .contacts = found.contacts,
-                                   .overlap = found.overlap});
+                                   .overlap = found.overlap,
+                                   .inside = found.inside});
     return record;
 }
 

@@ -195,9 +195,10 @@ TEST(FirstContact, OverlapAtTheStartNamesAnEdgeAndAFace) {
 
 TEST(FirstContact, NestedSurfacesThatDoNotTouchAreClear) {
     const Polyhedron small = box({0.1, 0.1, 0.1}).polyhedron();
+    const Body large = box({0.5, 0.5, 0.5});
     const FirstContact found =
         first_contact({.moving = small,
-                       .fixed = unit_box(),
+                       .fixed = Polyhedron::from_polygons(large.vertices, large.faces, {.solid = Solid::no}),
                        .motion = ScrewMotion::between(shifted(-0.2, 0, 0), turned({0.2, 0.1, 0}, {0, 1, 1}, 2))});
     EXPECT_EQ(found.verdict, Verdict::clear);
 }

@@ -122,11 +122,16 @@ TEST(LeastDistance, IsZeroWhereTheBodiesOverlapAtTheStart) {
     EXPECT_TRUE(found.overlap);
 }
 
-/// Surfaces only: a small cube inside a large one is at the distance of their faces.
+/// A small cube inside a large one touches it; if the large one is not solid, it is at the distance of their faces.
 TEST(LeastDistance, InsideAnotherBody) {
-    const LeastDistance found =
-        ask(box({0.1, 0.1, 0.1}).polyhedron(), cube(), ScrewMotion::between(shifted(0, 0, 0), shifted(0.7, 0, 0)));
-    expect_distance(found, 0.2);
+    const Polyhedron small = box({0.1, 0.1, 0.1}).polyhedron();
+    const Motion motion = ScrewMotion::between(shifted(0, 0, 0), shifted(0.7, 0, 0));
+    const Body hollow = box({1, 1, 1});
+    expect_distance(ask(small, Polyhedron::from_polygons(hollow.vertices, hollow.faces, {.solid = Solid::no}), motion),
+                    0.2);
+    const LeastDistance found = ask(small, cube(), motion);
+    EXPECT_EQ(found.distance.upper, 0);
+    EXPECT_TRUE(found.certain && found.inside && found.inside->moving_is_inside);
 }
 
 /// The nearest points are on the features that the answer names, whichever the descent followed.

@@ -58,7 +58,7 @@ TEST(OverlapProof, WhatIsProvenHoldsForEveryDisplacement) {
     EXPECT_GT(clear, 60);
 }
 
-TEST(OverlapProof, ProvesNothingOfNestedOrOpenSurfaces) {
+TEST(OverlapProof, ProvesNothingOfOpenSurfaces) {
     const std::vector<Eigen::Vector3d> corners{{-0.2, -0.2, 0}, {3, -0.2, 0}, {3, 3, 0}, {-0.2, 3, 0}};
     const std::vector<std::vector<std::uint32_t>> square{{0, 1, 2, 3}};
     const auto proven = [](const Polyhedron& fixed, const Polyhedron& moving, double margin) {
@@ -66,7 +66,8 @@ TEST(OverlapProof, ProvesNothingOfNestedOrOpenSurfaces) {
         const auto first = elements_of(robot.model(), 0), second = elements_of(robot.model(), 3);
         return robot::OverlapProof(robot.model(), first, second).touch_within(margin, Configuration::Zero(3));
     };
-    EXPECT_FALSE(proven(make_box({3, 3, 3}), make_box({1, 1, 1}), 0)) << "nested";
+    EXPECT_TRUE(proven(make_box({3, 3, 3}), make_box({1, 1, 1}), 0.99)) << "nested";
+    EXPECT_FALSE(proven(make_box({3, 3, 3}), make_box({1, 1, 1}), 1.51));
     EXPECT_TRUE(proven(make_box({1, 1, 1}), make_box({4, 0.2, 0.2}), 0.39)) << "a rod sticks out on both sides";
     EXPECT_FALSE(proven(make_box({1, 1, 1}), make_box({4, 0.2, 0.2}), 0.41));
     EXPECT_TRUE(proven(make_box({1, 1, 1}), Polyhedron::from_polygons(corners, square), 0.1))

@@ -1,6 +1,6 @@
 // The contacts of an answer, one entry each, with all numbers.
 import { element, more, table } from "./elements";
-import type { Feature, Overlap, Point, Vector } from "./scene";
+import type { Feature, Nested, Overlap, Point, Vector } from "./scene";
 
 const mostListed = 100;
 
@@ -17,6 +17,13 @@ function pairName({ moving_feature, fixed_feature }: Point, index: number): stri
 
 export function overlapName({ moving_feature, fixed_feature }: Overlap): string {
   return `${featureName(moving_feature)} of the moving body, ${featureName(fixed_feature)} of the fixed one`;
+}
+
+/** The heading and the rows about a body that is inside of the other one; none if there is no such body. */
+export function insideSection({ inside, inside_vertex, inside_point }: Nested): [string, ...HTMLElement[]][] {
+  if (!inside) return [];
+  const text = `vertex ${inside_vertex} of the ${inside} body is inside of the ${inside === "moving" ? "fixed" : "moving"} one`;
+  return [["Inside", element("div", text), table([["point", inside_point!]])]];
 }
 
 function contactDetails(contact: Point): HTMLElement {

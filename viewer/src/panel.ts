@@ -1,6 +1,6 @@
 // The answer in words and numbers. Numbers have all their digits: JavaScript prints the shortest text that reads back to
 // the same double.
-import { contactList, overlapName } from "./contact_details";
+import { contactList, insideSection, overlapName } from "./contact_details";
 import { byId, element, more, table } from "./elements";
 import type { Answer, Scene, Vector } from "./scene";
 
@@ -30,6 +30,7 @@ function meaning(answer: Answer, margin: number): string {
       if (answer.clear_until < answer.time!) return `The bodies ${touch} inside the bracket, and perhaps earlier: the query stopped at any contact.`;
       return `The bodies first ${touch} inside the bracket, and not before its lower end.`;
     case "contact_at_start":
+      if (answer.inside && answer.certain) return `The ${answer.inside} body is inside of the other one already.`;
       return answer.overlap && answer.certain ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;
   }
 }
@@ -87,6 +88,7 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
     section("Safe", table([["clear until", answer.clear_until!]]));
   }
   if (answer.overlap) section("Overlap", element("div", overlapName(answer.overlap)), table([["point", answer.overlap.point]]));
+  for (const parts of insideSection(answer)) section(...parts);
   section("Motion", table(motionRows(answer, scene)));
   section("Work", table(workRows(answer)));
 }

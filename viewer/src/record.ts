@@ -1,5 +1,5 @@
 // The data of a page of many bodies, written by view/record_json.cpp.
-import type { Overlap, PackedBody, PackedMesh, Point } from "./scene";
+import type { Nested, Overlap, PackedBody, PackedMesh, Point } from "./scene";
 import { Track, unpackedNumbers } from "./track";
 
 /** One pose if the body rests, otherwise one for each of its times, or of the record's times. */
@@ -8,7 +8,7 @@ export interface RecordedBody extends PackedBody {
 }
 
 /** A pair of bodies in contact. */
-export interface RecordedContact {
+export interface RecordedContact extends Nested {
   time: number;
   time_upper: number;
   certain: boolean;

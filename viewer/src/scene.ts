@@ -24,11 +24,18 @@ export interface Overlap {
   point: Vector;
 }
 
+/** A body inside of the other one at time 0. */
+export interface Nested {
+  inside?: "moving" | "fixed";
+  inside_vertex?: number;
+  inside_point?: Vector;
+}
+
 /**
  * The object that `chasles check --json` prints. When clear, time, tau, certain, pose, contacts and overlap are absent.
  * Constant velocity and constant twist have no tau; displacement belongs to constant velocity.
  */
-export interface Answer {
+export interface Answer extends Nested {
   verdict: "clear" | "contact" | "contact_at_start";
   time?: number;
   time_upper?: number;
@@ -85,7 +92,7 @@ export function stopOf(answer: Answer): number {
 }
 
 /** The contacts of an answer or of one pair of bodies. */
-export interface Marked {
+export interface Marked extends Nested {
   contacts?: Point[];
   overlap?: Overlap;
 }
@@ -93,5 +100,5 @@ export interface Marked {
 /** All marked points, in the world at the time of the contact. */
 export function markedPoints(answer: Marked): Vector[] {
   const points = (answer.contacts ?? []).map((contact) => contact.point);
-  return answer.overlap ? [...points, answer.overlap.point] : points;
+  return [...points, ...(answer.overlap ? [answer.overlap.point] : []), ...(answer.inside_point ? [answer.inside_point] : [])];
 }

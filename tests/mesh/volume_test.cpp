@@ -1,0 +1,128 @@
+// Which parts of a surface are solid, and the volume that they enclose.
+#include "chasles/mesh/body.h"
+
+#include "chasles/mesh/primitives.h"
+#include "tests/mesh/shapes.h"
+#include "tests/support/random.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+using Outlines = std::vector<std::vector<std::uint32_t>>;
+
+/// A tetrahedron with its corner at a point.
+void add_corner(std::vector<Eigen::Vector3d>& vertices, Outlines& faces, const Eigen::Vector3d& place, double size) {
+    const auto first = std::uint32_t(vertices.size());
+    vertices.push_back(place);
+    for (int axis = 0; axis < 3; ++axis)
+        vertices.push_back(place + size * Eigen::Vector3d::Unit(axis));
+    for (const auto& [a, b, c] : {std::array{0U, 2U, 1U}, {0U, 1U, 3U}, {0U, 3U, 2U}, {1U, 2U, 3U}})
+        faces.push_back({first + a, first + b, first + c});
+}
+
+TEST(Volume, ClosedSurfacesAreSolid) {
+    const MeshReport box = make_box({1, 2, 3}).report();
+    EXPECT_EQ(box.parts, 1U);
+    EXPECT_EQ(box.solid_parts, 1U);
+    EXPECT_EQ(box.unpaired_edges, 0U);
+    EXPECT_NEAR(box.volume, 6, 1e-14);
+    for (const Polyhedron& round :
+         {enclosing_sphere(1, 0.01).shape, enclosing_cylinder(1, 2, 0.01).shape, enclosing_capsule(1, 2, 0.01).shape}) {
+        EXPECT_EQ(round.report().solid_parts, 1U);
+        EXPECT_GT(round.report().volume, 4.1);
+    }
+}
+
+TEST(Volume, EachPartIsSolidByItself) {
+    std::vector<Eigen::Vector3d> vertices;
+    Outlines faces;
+    add_corner(vertices, faces, {0, 0, 0}, 1);
+    add_corner(vertices, faces, {0, 0, 5}, 1);
+    faces.pop_back();                          // the second one is open
+    add_corner(vertices, faces, {1, 0, 0}, 2); // shares a vertex with the first one
+    const Polyhedron body = Polyhedron::from_polygons(vertices, faces);
+    const MeshReport report = body.report();
+    EXPECT_EQ(report.parts, 2U);
+    EXPECT_EQ(report.solid_parts, 1U);
+    EXPECT_EQ(report.unpaired_edges, 3U);
+    EXPECT_NEAR(report.volume, 1 / 6. + 8 / 6., 1e-14);
+    EXPECT_TRUE(body.body().volume().is_bounded_by(0));
+    EXPECT_FALSE(body.body().volume().is_bounded_by(5));
+    EXPECT_TRUE(body.body().volume().is_bounded_by(10));
+}
+
+TEST(Volume, FacesTurnedDifferentlyEncloseNothing) {
+    std::vector<Eigen::Vector3d> vertices;
+    Outlines faces;
+    add_corner(vertices, faces, {0, 0, 0}, 1);
+    std::ranges::reverse(faces[2]);
+    const Polyhedron mixed = Polyhedron::from_polygons(vertices, faces);
+    EXPECT_TRUE(mixed.report().closed);
+    EXPECT_EQ(mixed.report().unpaired_edges, 3U);
+    EXPECT_EQ(mixed.report().solid_parts, 0U);
+    EXPECT_EQ(mixed.report().volume, 0);
+    EXPECT_NE(refusal([&] { (void)Polyhedron::from_polygons(vertices, faces, {.solid = Solid::yes}); }), "accepted");
+    std::ranges::reverse(faces[0]);
+    std::ranges::reverse(faces[1]);
+    std::ranges::reverse(faces[3]);
+    const MeshReport inwards = Polyhedron::from_polygons(vertices, faces, {.solid = Solid::yes}).report();
+    EXPECT_NEAR(inwards.volume, -1 / 6., 1e-15);
+    EXPECT_EQ(Polyhedron::from_polygons(vertices, faces, {.solid = Solid::no}).report().solid_parts, 0U);
+}
+
+/// A face without area closes the gap between an edge and two edges that meet on it.
+TEST(Volume, FacesWithoutAreaCloseGaps) {
+    std::vector<Eigen::Vector3d> vertices;
+    Outlines faces;
+    add_corner(vertices, faces, {0, 0, 0}, 1);
+    vertices.emplace_back(0.5, 0, 0); // on the edge from 0 to 1, of the faces 0 and 1
+    faces[0] = {0, 2, 1, 4};
+    const MeshReport open = Polyhedron::from_polygons(vertices, faces).report();
+    EXPECT_EQ(open.unpaired_edges, 3U);
+    EXPECT_EQ(open.solid_parts, 0U);
+    faces.push_back({0, 4, 1});
+    const MeshReport closed = Polyhedron::from_polygons(vertices, faces).report();
+    EXPECT_EQ(closed.unpaired_edges, 0U);
+    EXPECT_EQ(closed.solid_parts, 1U);
+    EXPECT_NEAR(closed.volume, 1 / 6., 1e-15);
+}
+
+/// A wire or a point is a part that encloses nothing.
+TEST(Volume, WiresAreNotSolid) {
+    std::vector<Eigen::Vector3d> vertices;
+    Outlines faces;
+    add_corner(vertices, faces, {0, 0, 0}, 1);
+    vertices.insert(vertices.end(), {{5, 0, 0}, {6, 0, 0}});
+    faces.push_back({4, 5, 5});
+    const MeshReport report = Polyhedron::from_polygons(vertices, faces).report();
+    EXPECT_EQ(report.parts, 2U);
+    EXPECT_EQ(report.solid_parts, 1U);
+}
+
+TEST(Volume, BlocksEncloseTheirPoints) {
+    Random random(4405);
+    std::vector<Eigen::Vector3d> vertices;
+    Outlines faces;
+    for (int i = 0; i < 100; ++i) {
+        const auto place = random.vector(10);
+        add_corner(vertices, faces, {place.x, place.y, place.z}, 0.1);
+    }
+    const Polyhedron body = Polyhedron::from_polygons(vertices, faces);
+    const Volume& volume = body.body().volume();
+    ASSERT_EQ(volume.part_points.size(), 100U);
+    std::size_t next = 0;
+    for (const PartBlock& block : volume.blocks) {
+        EXPECT_EQ(block.begin, next);
+        for (; next < block.end; ++next) {
+            const Eigen::Vector3d way = vertices[volume.part_points[next]] - block.centre;
+            EXPECT_TRUE((way.cwiseAbs().array() <= block.half.array()).all());
+        }
+    }
+    EXPECT_EQ(next, 100U);
+}
+
+} // namespace
+} // namespace chasles::test
