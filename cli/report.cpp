@@ -211,7 +211,7 @@ std::string naming_motion(const std::string& text, std::string_view motion) {
 }
 
 std::string hold_line(const FirstContact& found, const std::optional<double>& hold) {
-    if (!hold || found.verdict != Verdict::contact_at_start)
+    if (!hold || found.verdict != Verdict::contact_at_start || found.inside)
         return {};
     return labelled("hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than "
                                         "{:.9g}",

@@ -115,12 +115,15 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
             answer["clear_until"] = found.clear_until;
         }
         answer["events"] = Json::array();
-        for (const SceneContact& event : found.contacts)
-            answer["events"].push_back({{"time", event.contact.time.lower},
-                                        {"time_upper", event.contact.time.upper},
-                                        {"certain", event.contact.certain},
-                                        {"pair", pair(event)},
-                                        {"contacts", json_of(event.contact.contacts)}});
+        for (const SceneContact& event : found.contacts) {
+            Json json{{"time", event.contact.time.lower},
+                      {"time_upper", event.contact.time.upper},
+                      {"certain", event.contact.certain},
+                      {"pair", pair(event)},
+                      {"contacts", json_of(event.contact.contacts)}};
+            add_overlap(json, event.contact);
+            answer["events"].push_back(std::move(json));
+        }
         answer["untested"] = untested_json(found.untested);
         answer["work"] = json_of(found.work);
         return answer;

@@ -21,7 +21,8 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
 /// The answer of `scene`. For the first contact: the keys of `check` without tau and motion, and `pair`, the names of
 /// the moving and the fixed body; `simultaneous` lists further pairs that may touch at that time. For `all`: `events`,
-/// each with time, time_upper, certain, pair and contacts, and `work`. Both have `untested`.
+/// each with time, time_upper, certain, pair and contacts, and perhaps overlap or inside, and `work`. Both have
+/// `untested`.
 Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, bool all);
 
 /// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,

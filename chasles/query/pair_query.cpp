@@ -75,7 +75,7 @@ private:
                                                         double until, Work& work) const;
     FirstContact run_within(double level, bool checks_start, double until);
     FirstContact run_on_surfaces();
-    [[nodiscard]] FirstContact inside_at_start(const search::Nested& nested) const;
+    [[nodiscard]] FirstContact inside_at_start(const search::Nested& nested, const Work& work) const;
     FirstContact run_from_within();
     [[nodiscard]] std::optional<Level> level_of(const ContactMoment& start, const search::NearFeatures& near) const;
 
@@ -93,19 +93,21 @@ private:
 /// A body inside of the other one touches it, also where no surface does. Surfaces that meet at the start say more.
 FirstContact PieceByPiece::run() {
     const std::optional<search::Nested> nested = nested_at_start(first_);
-    if (!nested || run_within(0, true, 0).verdict == Verdict::contact_at_start)
+    if (!nested)
         return run_on_surfaces();
-    return inside_at_start(*nested);
+    const FirstContact met = run_within(0, true, 0);
+    return met.verdict == Verdict::contact_at_start ? run_on_surfaces() : inside_at_start(*nested, met.work);
 }
 
 FirstContact PieceByPiece::run_on_surfaces() {
     return options_.hold ? run_from_within() : run_within(options_.margin, true, query_.until);
 }
 
-FirstContact PieceByPiece::inside_at_start(const search::Nested& nested) const {
+FirstContact PieceByPiece::inside_at_start(const search::Nested& nested, const Work& work) const {
     FirstContact found;
     found.verdict = Verdict::contact_at_start;
     found.certain = nested.certain;
+    found.work = work;
     found.tau = first_.piece().tau_of({0, 0});
     found.pose = first_.piece().pose_at(0);
     found.fixed_pose = first_.piece().fixed_pose_at(0);

@@ -191,11 +191,16 @@ export function sceneContact(reader, names) {
   return { verdict, clear_until, pair: first.pair, ...found, ...simultaneous, ...ends };
 }
 
+/** What an event may have beside contacts. */
+const atStart = ["overlap", "inside", "inside_vertex", "inside_point"];
+
 export function sceneEvents(reader, names) {
   reader.some(2); // the verdict and the time of the first contact, which the events say too
   const events = sceneContacts(reader, names).map(({ pair, answer }) => {
     const { time, time_upper, certain, contacts } = answer;
-    return { time, time_upper, certain, pair, contacts };
+    const event = { time, time_upper, certain, pair, contacts };
+    for (const key of atStart) if (key in answer) event[key] = answer[key];
+    return event;
   });
   return { events, work: work(reader), untested: untested(reader, names) };
 }

@@ -306,7 +306,10 @@ export type SceneContact =
 
 export interface SceneEvents {
   /** `contacts` may be empty for a pair that overlaps, or of which one body is inside of the other one, at time 0. */
-  events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
+  events: ({ pair: [string, string] } & Pick<
+    ContactParts,
+    "time" | "time_upper" | "certain" | "contacts" | "overlap" | "inside" | "inside_vertex" | "inside_point"
+  >)[];
   work: Work;
   untested: Untested;
 }

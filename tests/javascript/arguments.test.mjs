@@ -64,8 +64,8 @@ test("null is no value of any option, and undefined counts as left out", async (
   const places = ["pose", "goal", "motion", "centre", "poses", "times"];
   const workers = await chasles.workers({ count: 1 });
   const asked = [
-    [["triangulate"], (options) => chasles.polyhedron(vertices, faces, options)],
-    [["triangulate"], (options) => chasles.fromFile(new Uint8Array(1), "a.obj", options)],
+    [["triangulate", "solid"], (options) => chasles.polyhedron(vertices, faces, options)],
+    [["triangulate", "solid"], (options) => chasles.fromFile(new Uint8Array(1), "a.obj", options)],
     [[...query, ...motion, ...fixed], (options) => chasles.firstContact(cube, cube, far, far, options)],
     [[...query, ...motion, ...fixed], (options) => chasles.firstContactBatch(cube, cube, [far], [far], options)],
     [[...query, ...motion, ...fixed], (options) => workers.firstContactBatch(cube, cube, [far], [far], options)],

@@ -1,0 +1,49 @@
+// Bodies inside of each other: what answers say of them, and what is solid.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load } from "chasles";
+import { box, refusal } from "./shapes.mjs";
+
+const chasles = await load();
+const cube = chasles.polyhedron(box().vertices, box().faces);
+const speck = chasles.polyhedron(box(0.1).vertices, box().faces);
+const hollow = chasles.polyhedron(box().vertices, box().faces, { solid: "no" });
+const start = [0.5, 0, 0], goal = [5, 0, 0];
+
+test("a body inside of another one touches it at the start", () => {
+  const found = chasles.firstContact(speck, cube, start, goal);
+  assert.equal(found.verdict, "contact_at_start");
+  assert.deepEqual([found.certain, found.contacts, found.overlap, found.clear_until], [true, [], undefined, 0]);
+  assert.deepEqual([found.inside, found.inside_vertex], ["moving", 0]);
+  assert.deepEqual(found.inside_point.map((x) => Math.round(1e9 * x) / 1e9), [0.4, -0.1, -0.1]);
+  assert.equal(chasles.firstContact(cube, speck, [-0.5, 0, 0], goal).inside, "fixed");
+  assert.equal(chasles.isClear(speck, cube, start, start), false);
+  const least = chasles.leastDistance(speck, cube, start, goal);
+  assert.deepEqual([least.distance_upper, least.inside], [0, "moving"]);
+  assert.equal(chasles.firstContactOnPath(speck, cube, [start, goal]).inside, "moving");
+});
+
+test("scenes and hands name it", () => {
+  const scene = chasles.scene();
+  scene.add("cube", cube);
+  scene.add("speck", speck, { pose: start, goal });
+  const found = scene.firstContact();
+  assert.deepEqual([found.verdict, found.inside, found.pair], ["contact_at_start", "moving", ["speck", "cube"]]);
+  assert.equal(scene.allContacts().events[0].inside, "moving");
+  scene.move("speck", start);
+  const step = chasles.draggedBody(scene, "speck").update(goal);
+  assert.deepEqual([step.state, step.touching], ["touching", ["cube"]]);
+});
+
+test("solid says what the inside is", async () => {
+  assert.equal(chasles.firstContact(speck, hollow, start, start).verdict, "clear");
+  const { solid_parts, surface_parts, unpaired_edges, volume } = cube.report;
+  assert.deepEqual([solid_parts, surface_parts, unpaired_edges, volume], [1, 1, 0, 8]);
+  assert.equal(hollow.report.solid_parts, 0);
+  assert.match(refusal(() => chasles.polyhedron(box().vertices, box().faces.slice(1), { solid: "yes" })), /^mesh: solid: the surface is not closed/);
+  assert.match(refusal(() => chasles.polyhedron(box().vertices, box().faces, { solid: true })), /^solid: must be "automatic", "yes" or "no"/);
+  const workers = await chasles.workers({ count: 1 });
+  const answers = async (fixed) => (await workers.firstContactBatch(speck, fixed, [start], [start])).map((answer) => answer.verdict);
+  assert.deepEqual([await answers(cube), await answers(hollow)], [["contact_at_start"], ["clear"]]);
+  workers.stop();
+});
