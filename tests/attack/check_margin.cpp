@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/first_contact.h"
+#include "tests/attack/check_inside.h"
 #include "tests/attack/check_mesh.h"
 #include "tests/attack/contact_geometry.h"
 #include "tests/attack/piecewise_tau.h"
@@ -196,6 +197,8 @@ std::string check(const MarginCase& posed, Tally& tally) {
     before = now();
     Judge judge(posed, found, tally);
     std::string wrong = judge.judged();
+    if (wrong.empty())
+        wrong = check_inside(query, found, tally);
     if (wrong.empty() && found.certain) {
         wrong = misplaced(query, found, judge.truth().scene_size());
         tally.misplaced += wrong.empty() ? 0 : 1;

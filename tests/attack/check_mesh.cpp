@@ -1,8 +1,9 @@
 #include "tests/attack/check_mesh.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/query/first_contact.h"
+#include "tests/attack/check_inside.h"
 #include "tests/attack/piecewise_tau.h"
+#include "tests/attack/two_bodies.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>
@@ -77,34 +78,25 @@ void append(std::string& text, const char* format, double a, double b, double c)
 } // namespace
 
 std::string check(const MeshCase& posed, Tally& tally) {
-    const auto answer = [&]() -> std::optional<FirstContact> {
-        try {
-            const Polyhedron moving = Polyhedron::from_polygons(posed.moving.vertices, posed.moving.faces);
-            const Polyhedron fixed = Polyhedron::from_polygons(posed.fixed.vertices, posed.fixed.faces);
-            const double before = now();
-            const FirstContact found =
-                first_contact({.moving = moving, .fixed = fixed, .motion = posed.posed.motion()});
-            tally.seconds += now() - before;
-            return found;
-        } catch (const InvalidInput&) {
-            return std::nullopt;
-        }
-    };
-    const auto found = answer();
-    if (!found) {
-        ++tally.refused;
+    const auto bodies = bodies_of(posed.moving, posed.fixed, tally);
+    if (!bodies)
         return "";
-    }
+    const FirstContactQuery query{.moving = bodies->moving, .fixed = bodies->fixed, .motion = posed.posed.motion()};
+    double before = now();
+    const FirstContact found = first_contact(query);
+    tally.seconds += now() - before;
     ++tally.queries;
-    tally.tests += found->work.elementary_tests;
-    tally.refined += found->work.refined;
-    tally.exact += exact_count(found->work);
-    const double before = now();
-    std::string wrong = judged(truth_of(posed), *found, tally);
+    tally.tests += found.work.elementary_tests;
+    tally.refined += found.work.refined;
+    tally.exact += exact_count(found.work);
+    before = now();
+    std::string wrong = judged(truth_of(posed), found, tally);
+    if (wrong.empty())
+        wrong = check_inside(query, found, tally);
     tally.reference_seconds += now() - before;
     if (!wrong.empty()) {
-        wrong += found->certain ? ", certain" : ", not certain";
-        append(wrong, ", tau in [%a, %a]", found->tau.lower, found->tau.upper, 0);
+        wrong += found.certain ? ", certain" : ", not certain";
+        append(wrong, ", tau in [%a, %a]", found.tau.lower, found.tau.upper, 0);
     }
     return wrong;
 }

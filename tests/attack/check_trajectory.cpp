@@ -1,6 +1,7 @@
 #include "tests/attack/check_trajectory.h"
 
 #include "chasles/base/invalid_input.h"
+#include "tests/attack/check_inside.h"
 #include "tests/attack/check_mesh.h"
 #include "tests/attack/contact_geometry.h"
 #include "tests/attack/touch_search.h"
@@ -203,6 +204,8 @@ std::string check(const TrajectoryCase& posed, Tally& tally) {
     tally.exact += found.work.exact;
     tally.seconds += std::chrono::duration<double>(end - start).count();
     std::string wrong = judged(posed, found, tally);
+    if (wrong.empty())
+        wrong = check_inside(query, found, tally);
     if (wrong.empty()) {
         wrong = misplaced_in(posed, query, found);
         tally.misplaced += wrong.empty() ? 0 : 1;

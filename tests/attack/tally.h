@@ -15,6 +15,7 @@ struct Tally {
     std::uint64_t late = 0;         ///< the lower end is after the exact tau
     std::uint64_t outside = 0;      ///< certain, but the exact tau is outside the bracket
     std::uint64_t misnamed = 0;     ///< certain of contact_at_start, but the contact is later
+    std::uint64_t nested = 0;       ///< one body is inside of the other one at the start
     std::uint64_t loose = 0;        ///< not certain, and the exact tau is after the bracket
     std::uint64_t misplaced = 0;    ///< a contact's point, normal or gap does not fit its features
     std::uint64_t near = 0;         ///< differs from the exact answer by less than the documented resolution

@@ -15,11 +15,12 @@ struct TwoBodies {
     Polyhedron fixed;
 };
 
-/// Empty, and counted, if the library refuses one of the meshes.
+/// Surfaces: the references know no volumes, and `check_inside` asks again about solid bodies. Empty, and counted, if
+/// the library refuses one of the meshes.
 inline std::optional<TwoBodies> bodies_of(const Shape& moving, const Shape& fixed, Tally& tally) {
     try {
-        return TwoBodies{Polyhedron::from_polygons(moving.vertices, moving.faces),
-                         Polyhedron::from_polygons(fixed.vertices, fixed.faces)};
+        return TwoBodies{Polyhedron::from_polygons(moving.vertices, moving.faces, {.solid = Solid::no}),
+                         Polyhedron::from_polygons(fixed.vertices, fixed.faces, {.solid = Solid::no})};
     } catch (const InvalidInput&) {
         ++tally.refused;
         return std::nullopt;

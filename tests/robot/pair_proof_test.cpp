@@ -240,10 +240,10 @@ TEST(PairProof, WhatOverlapsEverywhereIsAlways) {
         << "the rod ends 2 from its middle, and the block 0.5: from 2.5 on they are apart";
     const PairProof open = proof_of(rod_in_block(0.4), "block", "rod", {.seconds = 1e-9});
     EXPECT_EQ(open.reason, PairReason::open);
-    // Nested surfaces that do not touch are clear.
+    // What is inside of a solid touches it.
     RobotDescription nested = rod_in_block(0.1);
     nested.links[2].collisions[0].shape = make_box({0.2, 0.2, 0.2});
-    EXPECT_EQ(proof_of(nested, "block", "rod").reason, PairReason::never);
+    EXPECT_EQ(proof_of(nested, "block", "rod").reason, PairReason::always);
 }
 
 TEST(PairProof, KeepsItsTimeAndTellsItsProgress) {
