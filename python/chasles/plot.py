@@ -184,7 +184,8 @@ def _draw_path(axes: Axes3D, moving: Polyhedron, motion: Any) -> None:
 
 def _draw_contacts(axes: Axes3D, found: FirstContact, extent: float) -> None:
     points = [contact.point for contact in found.contacts]
-    for point in [found.overlap.point] * (found.overlap is not None) + [found.inside_point] * (found.inside is not None):
+    marks = [found.inside_point if found.overlap is None else found.overlap.point]
+    for point in (mark for mark in marks if mark is not None):
         axes.scatter(*np.asarray(point), color=CONTACT, marker="D", depthshade=False, zorder=11)
     if not points:
         return

@@ -6,6 +6,7 @@
 #include "python/src/body.h"
 #include "python/src/docstrings.h"
 #include "python/src/face_lists.h"
+#include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/without_gil.h"
 
@@ -169,7 +170,8 @@ const std::string& constructor_doc() {
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n" +
         indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" +
-        indented(doc("PolyhedronOptions.threads")) + "solid : str\n    'automatic', 'yes' or 'no'. " + doc("Solid");
+        indented(doc("PolyhedronOptions.threads")) + "solid : str\n    'automatic', 'yes' or 'no':\n" +
+        indented(doc("Solid"));
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "python/src/answer.h"
+#include "python/src/answer_members.h"
 #include "python/src/docstrings.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"

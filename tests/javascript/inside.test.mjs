@@ -14,8 +14,8 @@ test("a body inside of another one touches it at the start", () => {
   const found = chasles.firstContact(speck, cube, start, goal);
   assert.equal(found.verdict, "contact_at_start");
   assert.deepEqual([found.certain, found.contacts, found.overlap, found.clear_until], [true, [], undefined, 0]);
-  assert.deepEqual([found.inside, found.inside_vertex], ["moving", 0]);
-  assert.deepEqual(found.inside_point.map((x) => Math.round(1e9 * x) / 1e9), [0.4, -0.1, -0.1]);
+  assert.equal(found.inside, "moving");
+  found.inside_point.forEach((x, i) => assert.ok(Math.abs(x - start[i] - speck.vertices[3 * found.inside_vertex + i]) < 1e-12));
   assert.equal(chasles.firstContact(cube, speck, [-0.5, 0, 0], goal).inside, "fixed");
   assert.equal(chasles.isClear(speck, cube, start, start), false);
   const least = chasles.leastDistance(speck, cube, start, goal);

@@ -83,9 +83,14 @@ def test_distances_between_cubes(manager, cube):
     np.testing.assert_allclose(data.point("b"), data.point("c"), atol=1e-12)
 
 
-def test_surfaces_collide_not_volumes():
+def test_closed_objects_are_solid():
     manager = chasles.CollisionManager()
-    manager.add_object("room", cube_of(10))
+    manager.add_object("block", cube_of(10))
+    assert manager.in_collision_single(cube_of(1)) is True
+    assert manager.min_distance_single(cube_of(1), pose(1, 0, 0)) == 0
+    room = cube_of(10)
+    manager = chasles.CollisionManager()
+    manager.add_object("room", chasles.Polyhedron(room.vertices, room.faces, solid="no"))
     assert manager.in_collision_single(cube_of(1)) is False
     assert manager.min_distance_single(cube_of(1), pose(1, 0, 0)) == pytest.approx(3.5)
 
