@@ -57,13 +57,17 @@ std::string solid_text(const MeshReport& mesh, Solid solid) {
     if (mesh.solid_parts == 0)
         return "no: " + why;
     if (mesh.solid_parts == mesh.parts)
-        return "yes, " + volume + (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
+        return "yes, " + volume + (mesh.closed ? "" : ", closed up to rounding") +
+               (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
     return fmt::format("{} of {} connected parts, {}; {}", mesh.solid_parts, mesh.parts, volume, why);
 }
 
 std::string body_report(const std::string& name, const Polyhedron& body, Solid solid) {
     const MeshReport mesh = body.report();
-    std::string text = name + ": " + (mesh.closed ? "closed\n" : "open: the surface encloses no volume\n");
+    std::string text = name + ": " +
+                       (mesh.closed            ? "closed\n"
+                        : mesh.solid_parts > 0 ? "open\n"
+                                               : "open: the surface encloses no volume\n");
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
                                           mesh.faces, mesh.polygons, mesh.triangles));
     if (mesh.dropped_faces > 0)

@@ -29,7 +29,8 @@ int sign_of(const S& value, const S& error) {
 template <class S>
 class Ray {
 public:
-    Ray(const WeightedPoint<S>& origin, int ray) : origin_(origin), error_(origin.error * origin.weight) {
+    Ray(const WeightedPoint<S>& origin, double seam, int ray)
+        : origin_(origin), error_((origin.error + S(seam)) * origin.weight) {
         for (int i = 0; i < 3; ++i)
             direction_[i] = S(directions[std::size_t(ray)][std::size_t(i)]);
         size_ = norm1(direction_);
@@ -115,7 +116,7 @@ void for_each_face_ahead(const Body& body, const Eigen::Vector3d& from, double s
 template <class S>
 std::optional<int> winding_around(const Body& body, const WeightedPoint<S>& point, const Eigen::Vector3d& near,
                                   double slack, int ray) {
-    const Ray<S> line(point, ray);
+    const Ray<S> line(point, body.volume().seam, ray);
     std::optional<int> winding = 0;
     for_each_face_ahead(body, near, slack, ray, [&](std::uint32_t face) {
         if (!body.volume().is_bounded_by(face) || body.is_segment(face))

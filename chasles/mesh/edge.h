@@ -12,4 +12,10 @@ struct Edge {
     std::uint32_t to;
 };
 
+/// An edge that faces do not run along equally often in both directions.
+struct UnpairedEdge {
+    Edge edge;
+    int surplus; ///< how many more times from the lower to the higher vertex
+};
+
 } // namespace chasles

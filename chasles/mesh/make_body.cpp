@@ -88,11 +88,12 @@ void add_bvh(const Bvh& bvh, MeshReport& report) {
 }
 
 /// Adds the parts of the surface and what they enclose.
-void add_volume(BodyParts& parts, std::span<const Edge> unpaired, Solid solid) {
+void add_volume(BodyParts& parts, std::span<const UnpairedEdge> unpaired, Solid solid) {
     const Surface surface{parts.vertices, parts.outlines, unpaired, parts.bvh.centre()};
     parts.volume = find_volume(surface, solid);
     parts.report.parts = parts.volume.part_points.size();
     parts.report.solid_parts = parts.volume.solid_parts;
+    parts.report.unpaired_edges = parts.volume.unpaired_edges;
     parts.report.volume = signed_volume(surface, parts.volume);
 }
 
@@ -111,7 +112,7 @@ MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
 /// The edges that the surface as it is given leaves open.
 struct OpenEdges {
     bool have_boundary = false; ///< one of them has one face
-    std::vector<Edge> unpaired;
+    std::vector<UnpairedEdge> unpaired;
 };
 
 /// A face without area closes the gap between an edge and two edges that meet on it.
@@ -157,7 +158,6 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.report = make_report(polygons, edges);
     const OpenEdges open = open_edges(polygons, edges, vertices.size());
     parts.report.closed = !open.have_boundary;
-    parts.report.unpaired_edges = open.unpaired.size();
     parts.report.vertices = vertices.size();
     parts.report.distinct_vertices = distinct_vertices;
     keep_segments(vertices, polygons, edges, parts.report);

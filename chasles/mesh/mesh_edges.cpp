@@ -70,11 +70,11 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
         result.two_faces.push_back(
             {has_two ? sides[0].face : MeshEdges::none, has_two ? sides[1].face : MeshEdges::none});
     }
-    std::ptrdiff_t balance = 0;
+    int surplus = 0;
     for (const Side& side : sides)
-        balance += side.is_upward ? 1 : -1;
-    if (balance != 0)
-        result.unpaired.push_back({from, sides.front().to});
+        surplus += side.is_upward ? 1 : -1;
+    if (surplus != 0)
+        result.unpaired.push_back({{from, sides.front().to}, surplus});
     result.boundary += faces == 1 ? 1 : 0;
     result.nonmanifold += faces > 2 ? 1 : 0;
 }

@@ -19,9 +19,9 @@ struct MeshEdges {
     std::vector<Edge> edges;                             ///< in ascending order
     std::vector<std::array<std::uint32_t, 2>> two_faces; ///< the faces of each edge that has two sides, otherwise none
     std::vector<std::uint32_t> edge_of_side; ///< for corner i of all outlines: the edge to the next corner, or none
-    std::vector<Edge> unpaired;  ///< edges that faces do not run along equally often in both directions, ascending
-    std::size_t boundary = 0;    ///< edges with one face
-    std::size_t nonmanifold = 0; ///< edges with three faces or more
+    std::vector<UnpairedEdge> unpaired;      ///< in ascending order
+    std::size_t boundary = 0;                ///< edges with one face
+    std::size_t nonmanifold = 0;             ///< edges with three faces or more
 
     /// The edges whose lower vertex is `vertex`. Not after `append_segments`.
     [[nodiscard]] std::span<const Edge> edges_from(std::uint32_t vertex) const;

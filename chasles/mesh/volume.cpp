@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/mesh/connected_parts.h"
+#include "chasles/mesh/seams.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -19,18 +20,17 @@ bool has_area(std::span<const std::uint32_t> outline) {
     return outline[1] != outline[2];
 }
 
-void require_closed(const Surface& surface) {
-    if (surface.unpaired.empty())
+void require_closed(std::span<const UnpairedEdge> unpaired) {
+    if (unpaired.empty())
         return;
     constexpr std::size_t most_named = 3;
     std::string named;
-    for (const Edge& edge : surface.unpaired.first(std::min(most_named, surface.unpaired.size())))
+    for (const auto& [edge, surplus] : unpaired.first(std::min(most_named, unpaired.size())))
         named += (named.empty() ? "" : ", ") + std::to_string(edge.from) + "-" + std::to_string(edge.to);
     throw InvalidInput("mesh: solid: the surface is not closed, or its faces are not turned the same way: along " +
-                       std::to_string(surface.unpaired.size()) +
+                       std::to_string(unpaired.size()) +
                        " edges, faces do not run equally often in both directions (vertices " + named +
-                       (surface.unpaired.size() > most_named ? ", ..." : "") +
-                       "); mend the mesh, or leave solid at automatic");
+                       (unpaired.size() > most_named ? ", ..." : "") + "); mend the mesh, or leave solid at automatic");
 }
 
 /// The boxes of points that follow each other.
@@ -54,15 +54,17 @@ std::vector<PartBlock> blocks_of(std::span<const std::uint32_t> points, std::spa
 /// The vertices that stand for parts, each with what is known of its part.
 class PartTable {
 public:
-    explicit PartTable(const Surface& surface)
+    PartTable(const Surface& surface, const Seams& seams)
         : surface_(surface), parts_(surface.vertices.size()), farthest_(surface.vertices.size(), none),
           is_solid_(surface.vertices.size(), 0) {
         for (std::size_t face = 0; face < surface.outlines.size(); ++face)
             for (const std::uint32_t vertex : surface.outlines[face])
                 parts_.join(surface.outlines[face][0], vertex);
+        for (const auto& [from, to] : seams.joined())
+            parts_.join(from, to);
         for (std::size_t face = 0; face < surface.outlines.size(); ++face)
             add(surface.outlines[face]);
-        for (const Edge& edge : surface.unpaired)
+        for (const auto& [edge, surplus] : seams.unpaired())
             is_solid_[parts_.of(edge.from)] = 0;
     }
 
@@ -108,10 +110,13 @@ std::size_t Volume::memory() const {
 }
 
 Volume find_volume(const Surface& surface, Solid solid) {
+    const Seams seams(surface.vertices, surface.unpaired);
     if (solid == Solid::yes)
-        require_closed(surface);
-    PartTable parts(surface);
+        require_closed(seams.unpaired());
+    PartTable parts(surface, seams);
     Volume volume = parts.volume();
+    volume.unpaired_edges = seams.unpaired().size();
+    volume.seam = seams.width();
     if (solid == Solid::no)
         volume.solid_parts = 0;
     if (volume.is_solid() && volume.solid_parts < volume.part_points.size())

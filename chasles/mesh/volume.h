@@ -25,6 +25,8 @@ struct Volume {
     std::vector<PartBlock> blocks;          ///< of these points
     std::vector<char> in_solid_part;        ///< for each face; empty if the same holds for all faces
     std::size_t solid_parts = 0;
+    std::size_t unpaired_edges = 0;
+    double seam = 0; ///< vertices of the rim within this distance of each other count as one, mesh unit
 
     [[nodiscard]] bool is_solid() const { return solid_parts > 0; }
     /// Whether a face of a solid body bounds its volume.
@@ -33,15 +35,16 @@ struct Volume {
     [[nodiscard]] std::size_t memory() const;
 };
 
-/// The faces of a body, and its edges along which faces do not run equally often in both directions.
+/// The faces of a body, and its unpaired edges.
 struct Surface {
     std::span<const Eigen::Vector3d> vertices;
     const FlatLists<std::uint32_t>& outlines; ///< a, b, b for a segment, which bounds nothing
-    std::span<const Edge> unpaired;
+    std::span<const UnpairedEdge> unpaired;
     Eigen::Vector3d middle;
 };
 
-/// A part is solid if none of its edges is unpaired and one of its faces has an area. Throws InvalidInput if all parts
+/// A part is solid if none of its edges is unpaired, once vertices of the rim at the same place up to rounding count as
+/// one, and one of its faces has an area. Throws InvalidInput if all parts
 /// have to be solid and one is not.
 [[nodiscard]] Volume find_volume(const Surface& surface, Solid solid);
 

@@ -23,8 +23,8 @@ class CollisionManager:
 
     The methods, arguments and return values are those of trimesh, which needs python-fcl. There are four differences:
 
-    - Surfaces collide, not volumes: an object wholly inside another one does not touch it.
-    - Distances are never negative; they are 0 where surfaces touch or cross. Contacts have no depth.
+    - Closed objects are solid: an object wholly inside another one touches it, as far as its surface may be.
+    - Distances are never negative; they are 0 where objects touch or overlap. Contacts have no depth.
     - Meshes are a `chasles.Polyhedron` or a ``trimesh.Trimesh``. Many objects may share one Polyhedron.
     - `first_contact` tells which objects touch first, and when, while they move from their transforms to goals.
 

@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "chasles";
+import {
+  BoxGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, IcosahedronGeometry, SphereGeometry, TorusGeometry, TorusKnotGeometry,
+} from "three";
 import { box, refusal } from "./shapes.mjs";
 
 const chasles = await load();
@@ -46,4 +49,18 @@ test("solid says what the inside is", async () => {
   const answers = async (fixed) => (await workers.firstContactBatch(speck, fixed, [start], [start])).map((answer) => answer.verdict);
   assert.deepEqual([await answers(cube), await answers(hollow)], [["contact_at_start"], ["clear"]]);
   workers.stop();
+});
+
+test("closed geometries of three.js are solid, seams that differ by rounding included", () => {
+  const closed = [
+    new BoxGeometry(), new SphereGeometry(), new SphereGeometry(2.5, 17, 9), new CylinderGeometry(), new ConeGeometry(), new TorusGeometry(), new TorusKnotGeometry(),
+    new CapsuleGeometry(), new IcosahedronGeometry(1, 3),
+  ];
+  for (const geometry of closed) {
+    const { solid_parts, surface_parts, unpaired_edges, volume } = chasles.fromBufferGeometry(geometry).report;
+    assert.deepEqual([solid_parts, surface_parts, unpaired_edges], [1, 1, 0], geometry.type);
+    assert.ok(volume > 0, geometry.type);
+  }
+  const ball = chasles.fromBufferGeometry(new SphereGeometry(3));
+  assert.equal(chasles.firstContact(speck, ball, start, goal).inside, "moving");
 });

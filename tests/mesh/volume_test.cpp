@@ -102,6 +102,41 @@ TEST(Volume, WiresAreNotSolid) {
     EXPECT_EQ(report.solid_parts, 1U);
 }
 
+/// A sphere by angles from 0 to 2 pi, as three.js makes it: the first and the last meridian, and the points of the
+/// south pole, differ by rounding.
+TEST(Volume, SeamsThatDifferByRoundingAreClosed) {
+    const auto sphere = [](double radius, double gap) {
+        std::vector<Eigen::Vector3d> vertices;
+        Outlines faces;
+        const std::uint32_t around = 24, along = 12;
+        for (std::uint32_t i = 0; i <= along; ++i)
+            for (std::uint32_t j = 0; j <= around; ++j) {
+                const double polar = std::numbers::pi * i / along, angle = 2 * std::numbers::pi * j / around;
+                vertices.emplace_back(-radius * std::cos(angle) * std::sin(polar), radius * std::cos(polar),
+                                      radius * std::sin(angle) * std::sin(polar) + (j == around ? gap : 0));
+            }
+        for (std::uint32_t i = 0; i < along; ++i)
+            for (std::uint32_t j = 0; j < around; ++j) {
+                const std::uint32_t a = i * (around + 1) + j + 1, b = a - 1, c = b + around + 1, d = a + around + 1;
+                if (i > 0)
+                    faces.push_back({a, b, d});
+                if (i < along - 1)
+                    faces.push_back({b, c, d});
+            }
+        return Polyhedron::from_polygons(vertices, faces);
+    };
+    for (const double radius : {1e-6, 1.0, 1e9}) {
+        const Polyhedron body = sphere(radius, 0);
+        EXPECT_FALSE(body.report().closed);
+        EXPECT_EQ(body.report().solid_parts, 1U);
+        EXPECT_EQ(body.report().unpaired_edges, 0U);
+        EXPECT_NEAR(body.report().volume, 4.19 * radius * radius * radius, 0.2 * radius * radius * radius);
+        EXPECT_GT(body.body().volume().seam, 0);
+        EXPECT_EQ(sphere(radius, 1e-9 * radius).report().solid_parts, 0U) << "a gap";
+    }
+    EXPECT_EQ(make_box({1, 1, 1}).body().volume().seam, 0);
+}
+
 TEST(Volume, BlocksEncloseTheirPoints) {
     Random random(4405);
     std::vector<Eigen::Vector3d> vertices;
