@@ -48,8 +48,9 @@ view::Json body_json(const Polyhedron& body) {
 
 // Which parts of the surface enclose a volume, and why others do not.
 std::string solid_text(const MeshReport& mesh, Solid solid) {
-    const std::string volume = fmt::format("volume {:.9g}", mesh.volume) +
-                               (mesh.volume < 0 ? ": turned inwards, so the body is what is around it" : "");
+    const std::string volume =
+        fmt::format("volume {:.9g}", mesh.volume) +
+        (mesh.volume < 0 ? ": more of it is turned inwards, where nothing is solid, than outwards" : "");
     const std::string why =
         fmt::format("along {} edges, faces do not run equally often in both directions", mesh.unpaired_edges);
     if (solid == Solid::no)

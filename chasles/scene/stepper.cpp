@@ -129,9 +129,11 @@ Prospect Stepper::Implementation::asked(Prospect prospect) const {
         prospect.time = {in_step(found.time.lower), in_step(found.time.upper)};
         return prospect;
     }
+    const bool is_nested = ask(prospect.pair, prospect.from, {}).inside.has_value();
     scene::refuse(name(prospect.pair.first) + " on " + name(prospect.pair.second),
                   "at time " + std::to_string(prospect.from) +
-                      " they are nearer than a millionth of the margin, and cannot go on");
+                      (is_nested ? " one of them is inside of the other one"
+                                 : " they are nearer than a millionth of the margin, and cannot go on"));
 }
 
 bool Stepper::Implementation::is_valid(const Prospect& prospect) const {

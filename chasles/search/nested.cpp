@@ -1,5 +1,6 @@
 #include "chasles/search/nested.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/culling/cached_face.h"
 #include "chasles/culling/nested_boxes.h"
 #include "chasles/culling/winding.h"
@@ -112,14 +113,14 @@ std::optional<Nested> nested_at_start(PieceContext& context) {
     InsideTest test(context, start);
     std::optional<Nested> found;
     for (const bool is_moving : {true, false})
-        for_each_nested_point(is_moving ? pair : pair.swapped(), [&](std::uint32_t vertex) {
-            if (found && found->certain)
-                return true;
+        for (const std::uint32_t vertex : points_to_ask(is_moving ? pair : pair.swapped())) {
+            throw_if_cancelled();
             const std::optional<bool> inside = test.is_inside(is_moving, vertex);
             if (inside.value_or(!found))
                 found = Nested{is_moving, vertex, inside.has_value()};
-            return false;
-        });
+            if (inside.value_or(false))
+                return found;
+        }
     return found;
 }
 

@@ -34,10 +34,14 @@ struct Place {
     Eigen::Isometry3d pose;
     double error;
 
-    explicit Place(const Motion& motion) {
+    Place(const Motion& motion, const Polyhedron& moving_body, const Polyhedron& fixed_body) {
+        const auto size = [](const Polyhedron& body) {
+            return body.report().lower.norm() + body.report().upper.norm();
+        };
         const Eigen::Isometry3d moving = motion.pose_at(0).isometry(), fixed = motion.fixed_pose_at(0).isometry();
         pose = fixed.inverse() * moving;
-        error = 1e-11 * (1 + moving.translation().norm() + fixed.translation().norm());
+        error = 1e-11 *
+                (1 + moving.translation().norm() + fixed.translation().norm() + size(moving_body) + size(fixed_body));
     }
 };
 
@@ -57,7 +61,7 @@ std::string check_inside(const FirstContactQuery& surfaces, const FirstContact& 
     query.fixed = solid_copy(surfaces.fixed);
     const FirstContact solid = first_contact(query);
     const bool meet = found.verdict == Verdict::contact_at_start && query.options.margin == 0;
-    const auto [pose, error] = Place(query.motion);
+    const auto [pose, error] = Place(query.motion, query.moving, query.fixed);
     const auto wrong = [&](const char* why) {
         ++tally.misnamed;
         return std::string(why);

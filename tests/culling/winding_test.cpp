@@ -116,10 +116,8 @@ TEST(NestedBoxes, AskForEachPartInTheBox) {
                                                                         Eigen::Vector3d(i - 0.4, 0, 0)};
         const culling::PlacedPair pair{row.body(), box.body(), place, 1e-12};
         std::vector<std::uint32_t> asked;
-        for_each_nested_point(pair, [&](std::uint32_t vertex) {
+        for (const std::uint32_t vertex : points_to_ask(pair))
             asked.push_back(vertex / 8);
-            return false;
-        });
         EXPECT_EQ(asked, std::vector{std::uint32_t(i)});
         EXPECT_TRUE(culling::may_be_nested(pair));
         EXPECT_TRUE(culling::may_be_nested(pair.swapped()));

@@ -1,6 +1,7 @@
 // Bodies of a scene that start inside of each other.
 #include "chasles/mesh/primitives.h"
 #include "chasles/scene/stepper.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,11 @@ TEST(InsideOfScenes, IsAPairThatTouchesAtTheStart) {
     Scene scene = nested_scene();
     EXPECT_EQ(scene.ignore_touching_at_start().size(), 1U);
     EXPECT_EQ(scene.first_contact({}).verdict, Verdict::clear);
+}
+
+TEST(InsideOfScenes, AStepperNamesIt) {
+    const std::string message = refusal([] { Stepper stepper(nested_scene(), {.margin = 1e-3}); });
+    EXPECT_NE(message.find("one of them is inside of the other one"), std::string::npos) << message;
 }
 
 } // namespace
