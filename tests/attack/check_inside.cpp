@@ -15,10 +15,12 @@ Polyhedron solid_copy(const Polyhedron& body) {
 
 /// Whether a point known within an error is inside. Empty next to the surface, and where only some parts are solid.
 std::optional<bool> is_inside(const Polyhedron& body, const Eigen::Vector3d& point, double error) {
-    constexpr double doubt = 0.01;
+    constexpr double doubt = 0.01, most_error = 1e-6; // bodies are some units large
     const MeshReport report = body.report();
     if (report.solid_parts != report.parts)
         return report.solid_parts == 0 ? std::optional(false) : std::nullopt;
+    if (error > most_error)
+        return std::nullopt;
     const double winding = std::round(test::winding_by_solid_angles(body, point));
     for (int axis = 0; axis < 3; ++axis)
         for (const double way : {-error, error}) {
