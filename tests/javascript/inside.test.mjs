@@ -33,7 +33,7 @@ test("scenes and hands name it", () => {
   const found = scene.firstContact();
   assert.deepEqual([found.verdict, found.inside, found.pair], ["contact_at_start", "moving", ["speck", "cube"]]);
   assert.equal(scene.allContacts().events[0].inside, "moving");
-  scene.move("speck", start);
+  scene.move("speck", { pose: start });
   const step = chasles.draggedBody(scene, "speck").update(goal);
   assert.deepEqual([step.state, step.touching], ["touching", ["cube"]]);
 });
