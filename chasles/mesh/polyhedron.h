@@ -50,7 +50,8 @@ struct MeshReport {
                                     ///< and between faces that are turned differently; faces that are dropped counted
     std::size_t parts = 0;          ///< connected parts of the surface
     std::size_t solid_parts = 0;    ///< parts whose volume belongs to the body; see Solid
-    double volume = 0; ///< of these, cubic mesh unit; negative if they are turned inwards and enclose nothing
+    double volume = 0; ///< of these, cubic mesh unit: what is turned inwards counts less than nothing, what is covered
+                       ///< twice counts twice
     Eigen::Vector3d lower =
         Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
     Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner
