@@ -106,9 +106,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     std::optional<SceneFile> scene = read_scene(options);
     const QueryOptions query = query_of(options, scene);
     std::vector<std::string> warnings = robot.warnings();
-    RobotChangeOptions changes = options.changes;
-    changes.solid = options.robot.solid;
-    change(robot, scene ? &scene->scene : nullptr, changes, warnings);
+    change(robot, scene ? &scene->scene : nullptr, options.changes, options.robot.solid, warnings);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     if (scene) {
         warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());

@@ -106,9 +106,10 @@ void add_robot_change_options(CLI::App& command, RobotChangeOptions& options) {
         ->allow_extra_args(false);
 }
 
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, std::vector<std::string>& warnings) {
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, Solid solid,
+            std::vector<std::string>& warnings) {
     for (const std::string& given : options.attach)
-        attach(robot, scene, given, options.solid, warnings);
+        attach(robot, scene, given, solid, warnings);
     for (const std::string& given : options.allow)
         allow(robot, scene, given);
 }

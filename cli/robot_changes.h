@@ -12,13 +12,13 @@ namespace chasles::cli {
 struct RobotChangeOptions {
     std::vector<std::string> allow;  ///< LINK,BODY
     std::vector<std::string> attach; ///< LINK,MESH,POSE
-    Solid solid = Solid::automatic;  ///< of attached meshes
 };
 
 void add_robot_change_options(CLI::App& command, RobotChangeOptions& options);
 
 /// Attaches parts, then leaves out pairs. `scene` may be null. Throws InvalidInput "--allow: ..." or "--attach: ...".
 /// Adds what is to be told of the parts.
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, std::vector<std::string>& warnings);
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, Solid solid,
+            std::vector<std::string>& warnings);
 
 } // namespace chasles::cli

@@ -132,10 +132,7 @@ bool may_be_inside(const PlacedPair& pair) {
         const Vector3d place =
             outer.bvh().centre() + placed.offset + placed.rotation * (inner.vertices()[vertex] - inner.bvh().centre());
         const WeightedPoint<double> point{{place.x(), place.y(), place.z()}, 1, slack};
-        std::optional<int> winding;
-        for (int ray = 0; ray < ray_count && !winding; ++ray)
-            winding = winding_around(outer, point, place, slack, ray);
-        return winding.value_or(1) > 0;
+        return is_inside(outer, point, place, slack).value_or(true);
     });
 }
 

@@ -28,4 +28,14 @@ template <class S>
 std::optional<int> winding_around(const Body& body, const WeightedPoint<S>& point, const Eigen::Vector3d& near,
                                   double slack, int ray);
 
+/// Whether the point is in the volume of the body, by the first ray that tells. Empty next to the surface.
+template <class S>
+std::optional<bool> is_inside(const Body& body, const WeightedPoint<S>& point, const Eigen::Vector3d& near,
+                              double slack) {
+    for (int ray = 0; ray < ray_count; ++ray)
+        if (const std::optional<int> winding = winding_around(body, point, near, slack, ray))
+            return *winding > 0;
+    return std::nullopt;
+}
+
 } // namespace chasles::culling

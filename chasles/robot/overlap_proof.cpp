@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace chasles::robot {
@@ -66,12 +65,9 @@ OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
 /// Of the volume, and farther than the margin from the surface.
 bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, double margin, double rounding) {
     const culling::WeightedPoint<double> place{{point.x(), point.y(), point.z()}, 1, rounding};
-    std::optional<int> winding;
-    for (int ray = 0; ray < culling::ray_count && !winding; ++ray)
-        winding = culling::winding_around(*surface.body, place, point, rounding, ray);
-    return winding.value_or(0) > 0 && std::ranges::all_of(surface.triangles, [&](const auto& triangle) {
-               return distance_to(triangle, point) > margin;
-           });
+    return culling::is_inside(*surface.body, place, point, rounding).value_or(false) &&
+           std::ranges::all_of(surface.triangles,
+                               [&](const auto& triangle) { return distance_to(triangle, point) > margin; });
 }
 
 bool OverlapProof::has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,

@@ -92,11 +92,7 @@ private:
         const WeightedPoint<double> rounded = start_.seen(inner, is_moving, vertex);
         const Vector3<double> near = scale(rounded.place, 1 / rounded.weight);
         const WeightedPoint<S> point = start.seen(inner, is_moving, vertex);
-        for (int ray = 0; ray < culling::ray_count; ++ray)
-            if (const auto winding =
-                    culling::winding_around<S>(outer, point, {near.x, near.y, near.z}, 2 * start_.error, ray))
-                return *winding > 0;
-        return std::nullopt;
+        return culling::is_inside<S>(outer, point, {near.x, near.y, near.z}, 2 * start_.error);
     }
 
     PieceContext& context_;
