@@ -174,13 +174,13 @@ Motion motion_in(const Members& body) {
 
 /// A body has a mesh or a robot without moving joints.
 Polyhedron shape_in(const Members& body, Shapes& shapes) {
-    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name)); });
+    const auto solid = body.read("solid", [](const Json& json) { return solid_of(text_in(json)); });
+    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), solid); });
     if (!urdf) {
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
-        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1),
-                           body.read("solid", [](const Json& json) { return solid_of(text_in(json)); })});
+        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1), solid});
     }
-    for (const char* other : {"mesh", "part", "scale", "solid"})
+    for (const char* other : {"mesh", "part", "scale"})
         if (body.find(other))
             refuse(std::string(other) + ": goes with a mesh, and the body has a urdf");
     return *urdf;

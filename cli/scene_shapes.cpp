@@ -34,8 +34,9 @@ Polyhedron Shapes::get(const MeshChoice& choice) {
     return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice)).first->second;
 }
 
-Polyhedron Shapes::get_urdf(const std::string& name) {
-    if (const auto found = robots_.find(name); found != robots_.end())
+Polyhedron Shapes::get_urdf(const std::string& name, std::optional<Solid> given) {
+    const Solid solid = given.value_or(options_.solid);
+    if (const auto found = robots_.find({name, solid}); found != robots_.end())
         return found->second;
     const Robot robot = Robot::load(folder_ / name);
     warnings_.insert(warnings_.end(), robot.warnings().begin(), robot.warnings().end());
@@ -45,7 +46,7 @@ Polyhedron Shapes::get_urdf(const std::string& name) {
     if (!joints.empty())
         throw InvalidInput("the joints of " + io::in_quotes(name) + " move (" + joints +
                            "), and a body of a scene is rigid; `chasles robot` moves joints");
-    return robots_.emplace(name, robot.shape(robot.neutral())).first->second;
+    return robots_.emplace(std::pair(name, solid), robot.shape(robot.neutral(), solid)).first->second;
 }
 
 std::vector<std::string> Shapes::warnings() const {

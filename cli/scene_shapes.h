@@ -30,7 +30,7 @@ public:
 
     Polyhedron get(const MeshChoice& choice);
     /// All links of a robot whose joints do not move, as one body.
-    Polyhedron get_urdf(const std::string& name);
+    Polyhedron get_urdf(const std::string& name, std::optional<Solid> solid);
 
     /// About the robots, polygons that were cut, and units that differ. A mesh with a scale counts as one without a
     /// unit.
@@ -45,7 +45,7 @@ private:
     PolyhedronOptions options_;
     std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
     std::map<MeshChoice, Polyhedron> shapes_;
-    std::map<std::string, Polyhedron> robots_;
+    std::map<std::pair<std::string, Solid>, Polyhedron> robots_;
     std::vector<std::string> warnings_;
     std::vector<StatedUnit> units_;
 };

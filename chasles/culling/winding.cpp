@@ -40,8 +40,8 @@ public:
         return scale(corner, origin_.weight) - origin_.place;
     }
 
-    /// 1 for a triangle that the ray leaves through its back, -1 for one that it enters; 0 if it crosses none. Empty if
-    /// that is not certain.
+    /// What a triangle adds to the winding number: 1 if the ray leaves through it, -1 if it enters, 0 if it misses.
+    /// Empty if that is not certain.
     [[nodiscard]] std::optional<int> crossing(const Vector3<S>& a, const Vector3<S>& b, const Vector3<S>& c) const {
         const int first = side(a, b), second = side(b, c), third = side(c, a);
         const auto [least, greatest] = std::minmax({first, second, third});
@@ -111,8 +111,8 @@ void for_each_face_ahead(const Body& body, const Eigen::Vector3d& from, double s
 
 } // namespace
 
-/// A face is a fan of triangles at its first corner. Those that turn back are counted backwards: a fan has the same rim
-/// as its face, which is all that the sum depends on.
+/// A face is a fan of triangles at its first corner, also if it is not convex: triangles that turn back are counted
+/// backwards. The sum depends on the rim alone, which a face and its fan have in common.
 template <class S>
 std::optional<int> winding_around(const Body& body, const WeightedPoint<S>& point, const Eigen::Vector3d& near,
                                   double slack, int ray) {

@@ -105,9 +105,9 @@ public:
     /// The poses of all links, in the order of the description.
     [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
     /// The shapes of all links and parts at a configuration as one rigid body, in the world: vertices are rounded to
-    /// doubles, and polygons that rounding bends are cut into triangles. Throws InvalidInput for a robot without
-    /// shapes, and as link_pose.
-    [[nodiscard]] Polyhedron shape(const Configuration& configuration) const;
+    /// doubles, and polygons that rounding bends are cut into triangles. `solid` is about this body, whatever its
+    /// shapes are. Throws InvalidInput for a robot without shapes, and as link_pose.
+    [[nodiscard]] Polyhedron shape(const Configuration& configuration, Solid solid = Solid::automatic) const;
 
     /// Where the root link stands in the world.
     void set_base(const Pose& pose);

@@ -22,8 +22,8 @@ public:
     }
 
     [[nodiscard]] bool is_empty() const { return faces_.empty(); }
-    [[nodiscard]] Polyhedron body() const {
-        return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true});
+    [[nodiscard]] Polyhedron body(Solid solid) const {
+        return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true, .solid = solid});
     }
 
 private:
@@ -54,7 +54,7 @@ private:
 
 } // namespace
 
-Polyhedron Robot::shape(const Configuration& configuration) const {
+Polyhedron Robot::shape(const Configuration& configuration, Solid solid) const {
     const std::array ends{configuration, configuration};
     const JointPath path = JointPath::straight(*this, ends);
     const robot::SegmentMotion motion = model_->motion_of(path.segments().front());
@@ -67,7 +67,7 @@ Polyhedron Robot::shape(const Configuration& configuration) const {
     }
     if (surface.is_empty())
         robot::refuse(model_->description.name, "has no collision shapes");
-    return surface.body();
+    return surface.body(solid);
 }
 
 } // namespace chasles

@@ -16,9 +16,8 @@ struct Nested {
     bool certain; ///< false if it may just be outside, nearer to the surface than rounding
 };
 
-/// A vertex of a part of either surface that lies inside of the other body at the start of the first piece, if that
-/// body is solid. Of each part that a box does not exclude, one vertex is asked: where surfaces do not touch, it stands
-/// for its part.
+/// Such a vertex at the start of the first piece. Where the surfaces do not touch, one vertex stands for its part;
+/// parts that a box excludes are not asked. Throws Cancelled at the limit of the thread.
 std::optional<Nested> nested_at_start(PieceContext& context);
 
 } // namespace chasles::search

@@ -127,9 +127,11 @@ nb::object packed_faces(const Body& body) {
 /// The constructor and its arguments for pickle. The new body has the same ids.
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
+    const Solid solid =
+        body.polyhedron.report().solid_parts > 0 ? Solid::automatic : Solid::no; // also of a robot's shape
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
     return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
-                                                      body.options.threads, name_of(body.options.solid)));
+                                                      body.options.threads, name_of(solid)));
 }
 
 std::string repr(const Body& body) {

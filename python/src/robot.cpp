@@ -5,6 +5,7 @@
 #include "python/src/body.h"
 #include "python/src/docstrings.h"
 #include "python/src/interruptible.h"
+#include "python/src/names.h"
 #include "python/src/poses.h"
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
@@ -27,8 +28,10 @@ namespace {
 using namespace nb::literals;
 
 PythonRobot load(const std::filesystem::path& urdf, const std::optional<std::filesystem::path>& srdf,
-                 const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation) {
-    return {Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation})};
+                 const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation,
+                 nb::handle solid) {
+    return {
+        Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation, solid_from(solid)})};
 }
 
 nb::object limits_of(const PythonRobot& robot) {
@@ -180,9 +183,10 @@ void bind_robot(nb::module_& module) {
     nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
-                    "primitive_deviation"_a = 0.01,
+                    "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic",
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "
-                            "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01) -> Robot"),
+                            "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01, "
+                            "solid: str = 'automatic') -> Robot"),
                     doc("Robot.load"))
         .def_prop_ro(
             "name", [](const PythonRobot& r) { return r.description().name; }, "Of the URDF file.")
@@ -215,14 +219,16 @@ void bind_robot(nb::module_& module) {
             doc("Robot.warnings_about"))
         .def(
             "shape",
-            [](const PythonRobot& r, nb::handle configuration) {
+            [](const PythonRobot& r, nb::handle configuration, nb::handle solid) {
                 return Body{
-                    r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration")),
+                    r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration"),
+                            solid_from(solid)),
                     nullptr,
                     {}};
             },
-            "configuration"_a = nb::none(),
-            nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None) -> Polyhedron"),
+            "configuration"_a = nb::none(), "solid"_a.none() = "automatic",
+            nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None, solid: str = 'automatic') "
+                    "-> Polyhedron"),
             doc("Robot.shape"))
         .def("collisions", collisions_of, "link"_a,
              nb::sig("def collisions(self, link: str) -> list[tuple[Polyhedron, " CHASLES_ARRAY ", float]]"),

@@ -66,6 +66,28 @@ def test_objects_at_rest(speck, cube):
     assert manager.min_distance_single(speck, START) == 0
 
 
+URDF = '<robot name="r"><link name="a"><collision><geometry><box size="2 2 2"/></geometry></collision></link></robot>'
+
+
+def test_shapes_of_robots(speck, tmp_path):
+    (tmp_path / "cube.obj").write_text(
+        "".join(f"v {x} {y} {z}\n" for x, y, z in CUBE_VERTICES) + "".join(f"f {' '.join(str(i + 1) for i in face)}\n" for face in CUBE_FACES)
+    )
+    (tmp_path / "box.urdf").write_text(URDF)
+    (tmp_path / "mesh.urdf").write_text(URDF.replace('<box size="2 2 2"/>', '<mesh filename="cube.obj"/>'))
+
+    def inside(body):
+        return chasles.first_contact(speck, body, START, START).inside
+
+    robot = chasles.Robot.load(tmp_path / "box.urdf")
+    assert (inside(robot.shape()), inside(robot.shape(solid="no"))) == ("moving", None)
+    for solid, expected in (("automatic", "moving"), ("no", None)):
+        robot = chasles.Robot.load(tmp_path / "mesh.urdf", solid=solid)
+        shape = robot.collisions("a")[0][0]
+        assert inside(shape) == inside(pickle.loads(pickle.dumps(shape))) == expected
+    assert inside(chasles.Robot.load(tmp_path / "box.urdf", solid="no").collisions("a")[0][0]) == "moving"
+
+
 def test_what_is_solid(cube, hollow):
     assert (cube.report.parts, cube.report.solid_parts, cube.report.unpaired_edges) == (1, 1, 0)
     assert cube.report.volume == pytest.approx(1)
