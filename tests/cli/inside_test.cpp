@@ -1,5 +1,5 @@
 // Bodies inside of each other on the command line: every command names them, and --solid is for every kind of body.
-#include "tests/cli/command_line.h"
+#include "tests/cli/cli_test_files.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,20 +12,8 @@ using Json = nlohmann::json;
 class InsideCommand : public CommandLine {
 protected:
     InsideCommand() {
-        const std::string faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-        const auto cube = [&](const std::string& one) {
-            std::string text;
-            for (int i = 0; i < 8; ++i) {
-                text += "v";
-                for (int axis = 0; axis < 3; ++axis)
-                    text += (i >> axis & 1) != 0 ? " " + one : " 0";
-                text += "\n";
-            }
-            return text + faces;
-        };
-        write("block.obj", cube("1"));
-        write("speck.obj", cube("0.1"));
-        write("mesh.urdf", robot("<mesh filename=\"block.obj\"/>"));
+        write("speck.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        write("mesh.urdf", robot("<mesh filename=\"cube.obj\"/>"));
         write("box.urdf", robot("<box size=\"2 2 2\"/>"));
     }
     static std::string robot(const std::string& shape) {
@@ -49,22 +37,22 @@ const std::string motion = " --start \"0.4 0.4 0.4\" --goal \"5 0 0\"";
 
 TEST_F(InsideCommand, EveryAnswerNamesTheBody) {
     for (const std::string command : {"check", "clearance"}) {
-        const Json inner = answer(command + " speck.obj block.obj" + motion);
+        const Json inner = answer(command + " speck.obj cube.obj" + motion);
         EXPECT_EQ(inner["inside"], "moving") << command;
         EXPECT_TRUE(inner["contacts"].empty());
         EXPECT_EQ(inner["inside_point"].size(), 3U);
-        EXPECT_EQ(answer(command + " block.obj speck.obj --start \"-0.4 -0.4 -0.4\" --goal \"5 0 0\"")["inside"],
+        EXPECT_EQ(answer(command + " cube.obj speck.obj --start \"-0.4 -0.4 -0.4\" --goal \"5 0 0\"")["inside"],
                   "fixed");
-        EXPECT_FALSE(answer(command + " speck.obj block.obj --solid no" + motion).contains("inside"));
+        EXPECT_FALSE(answer(command + " speck.obj cube.obj --solid no" + motion).contains("inside"));
     }
-    EXPECT_NE(run("check speck.obj block.obj" + motion).out.find("the moving body is inside of the fixed one"),
+    EXPECT_NE(run("check speck.obj cube.obj" + motion).out.find("the moving body is inside of the fixed one"),
               std::string::npos);
-    EXPECT_EQ(run("check speck.obj block.obj --solid round" + motion).err,
+    EXPECT_EQ(run("check speck.obj cube.obj --solid round" + motion).err,
               "chasles: --solid: must be automatic, yes or no, and is 'round'\n");
 }
 
 TEST_F(InsideCommand, SolidIsForMeshesAndRobotsOfScenes) {
-    for (const std::string body : {R"("mesh": "block.obj")", R"("urdf": "mesh.urdf")", R"("urdf": "box.urdf")"}) {
+    for (const std::string body : {R"("mesh": "cube.obj")", R"("urdf": "mesh.urdf")", R"("urdf": "box.urdf")"}) {
         EXPECT_EQ(verdict(body), "contact_at_start") << body;
         EXPECT_EQ(verdict(body, "--solid no"), "clear") << body;
         EXPECT_EQ(verdict(body + R"(, "solid": "no")"), "clear") << body;
@@ -79,7 +67,7 @@ TEST_F(InsideCommand, SolidIsForTheMeshesOfARobotAndItsParts) {
     EXPECT_EQ(answer("robot mesh.urdf --scene scene.json --solid no")["verdict"], "clear");
     EXPECT_EQ(answer("robot box.urdf --scene scene.json --solid no")["inside"], "fixed") << "a primitive is solid";
     write("empty.urdf", "<robot name=\"r\"><link name=\"a\"/></robot>");
-    const std::string carried = "robot empty.urdf --attach \"a,block.obj,0 0 0\" --scene scene.json";
+    const std::string carried = "robot empty.urdf --attach \"a,cube.obj,0 0 0\" --scene scene.json";
     EXPECT_EQ(answer(carried)["inside"], "fixed");
     EXPECT_EQ(answer(carried + " --solid no")["verdict"], "clear");
 }
