@@ -29,8 +29,7 @@ int sign_of(const S& value, const S& error) {
 template <class S>
 class Ray {
 public:
-    Ray(const WeightedPoint<S>& origin, double seam, int ray)
-        : origin_(origin), error_((origin.error + S(seam)) * origin.weight) {
+    Ray(const WeightedPoint<S>& origin, int ray) : origin_(origin), error_(origin.error * origin.weight) {
         for (int i = 0; i < 3; ++i)
             direction_[i] = S(directions[std::size_t(ray)][std::size_t(i)]);
         size_ = norm1(direction_);
@@ -116,13 +115,14 @@ void for_each_face_ahead(const Body& body, const Eigen::Vector3d& from, double s
 template <class S>
 std::optional<int> winding_around(const Body& body, const WeightedPoint<S>& point, const Eigen::Vector3d& near,
                                   double slack, int ray) {
-    const Ray<S> line(point, body.volume().seam, ray);
+    const Volume& volume = body.volume();
+    const Ray<S> line(point, ray);
     std::optional<int> winding = 0;
-    for_each_face_ahead(body, near, slack, ray, [&](std::uint32_t face) {
-        if (!body.volume().is_bounded_by(face) || body.is_segment(face))
+    for_each_face_ahead(body, near, slack + volume.seam, ray, [&](std::uint32_t face) {
+        if (!volume.is_bounded_by(face) || body.is_segment(face))
             return true;
         const auto outline = body.face(face);
-        const auto corner = [&](std::size_t i) { return line.seen(point_of<S>(body, outline[i])); };
+        const auto corner = [&](std::size_t i) { return line.seen(point_of<S>(body, volume.place_of(outline[i]))); };
         const Vector3<S> first = corner(0);
         Vector3<S> previous = corner(1);
         for (std::size_t i = 2; i < outline.size() && winding; ++i) {

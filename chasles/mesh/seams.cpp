@@ -21,6 +21,11 @@ std::vector<std::uint32_t> rim_of(std::span<const UnpairedEdge> unpaired) {
 
 } // namespace
 
+std::uint32_t place_in(std::span<const Edge> joined, std::uint32_t vertex) {
+    const auto found = std::ranges::lower_bound(joined, vertex, {}, &Edge::from);
+    return found != joined.end() && found->from == vertex ? found->to : vertex;
+}
+
 Seams::Seams(std::span<const Eigen::Vector3d> vertices, std::span<const UnpairedEdge> unpaired) : vertices_(vertices) {
     std::vector<std::uint32_t> rim = rim_of(unpaired);
     for (const std::uint32_t vertex : rim)
@@ -48,13 +53,8 @@ void Seams::join(std::vector<std::uint32_t> rim) {
     std::ranges::sort(joined_, {}, &Edge::from);
 }
 
-std::uint32_t Seams::place_of(std::uint32_t vertex) const {
-    const auto found = std::ranges::lower_bound(joined_, vertex, {}, &Edge::from);
-    return found != joined_.end() && found->from == vertex ? found->to : vertex;
-}
-
 void Seams::add(const UnpairedEdge& edge) {
-    const std::uint32_t from = place_of(edge.edge.from), to = place_of(edge.edge.to);
+    const std::uint32_t from = place_in(joined_, edge.edge.from), to = place_in(joined_, edge.edge.to);
     if (from < to)
         unpaired_.push_back({{from, to}, edge.surplus});
     else if (to < from)

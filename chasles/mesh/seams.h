@@ -11,6 +11,9 @@
 
 namespace chasles {
 
+/// The vertex that a vertex counts as, by pairs as of Seams::joined().
+[[nodiscard]] std::uint32_t place_in(std::span<const Edge> joined, std::uint32_t vertex);
+
 class Seams {
 public:
     /// Vertices are kept by reference.
@@ -25,7 +28,6 @@ public:
 
 private:
     void join(std::vector<std::uint32_t> rim);
-    [[nodiscard]] std::uint32_t place_of(std::uint32_t vertex) const;
     void add(const UnpairedEdge& edge);
     void pair_up();
 

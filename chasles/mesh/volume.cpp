@@ -2,7 +2,6 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/mesh/connected_parts.h"
-#include "chasles/mesh/seams.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -106,7 +105,7 @@ private:
 
 std::size_t Volume::memory() const {
     return part_points.capacity() * sizeof(std::uint32_t) + blocks.capacity() * sizeof(PartBlock) +
-           in_solid_part.capacity();
+           in_solid_part.capacity() + joined.capacity() * sizeof(Edge);
 }
 
 Volume find_volume(const Surface& surface, Solid solid) {
@@ -116,6 +115,7 @@ Volume find_volume(const Surface& surface, Solid solid) {
     PartTable parts(surface, seams);
     Volume volume = parts.volume();
     volume.unpaired_edges = seams.unpaired().size();
+    volume.joined = seams.joined();
     volume.seam = seams.width();
     if (solid == Solid::no)
         volume.solid_parts = 0;

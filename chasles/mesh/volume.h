@@ -5,6 +5,7 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/mesh/edge.h"
 #include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/seams.h"
 
 #include <span>
 #include <vector>
@@ -26,11 +27,16 @@ struct Volume {
     std::vector<char> in_solid_part;        ///< for each face; empty if the same holds for all faces
     std::size_t solid_parts = 0;
     std::size_t unpaired_edges = 0;
-    double seam = 0; ///< vertices of the rim within this distance of each other count as one, mesh unit
+    std::vector<Edge> joined; ///< vertices of seams, ascending: from each one to that in whose place it counts
+    double seam = 0;          ///< no two of these are farther from each other, mesh unit
 
     [[nodiscard]] bool is_solid() const { return solid_parts > 0; }
     /// Whether a face of a solid body bounds its volume.
     [[nodiscard]] bool is_bounded_by(std::size_t face) const { return in_solid_part.empty() || in_solid_part[face]; }
+    /// The vertex in whose place a vertex counts: itself, but at seams.
+    [[nodiscard]] std::uint32_t place_of(std::uint32_t vertex) const {
+        return joined.empty() ? vertex : place_in(joined, vertex);
+    }
     /// Bytes held.
     [[nodiscard]] std::size_t memory() const;
 };

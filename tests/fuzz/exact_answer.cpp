@@ -6,16 +6,20 @@
 #include "tests/support/exact_reference.h"
 #include "tests/support/trajectories.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <gmp.h>
+#include <optional>
 
 namespace chasles::fuzz {
 namespace {
 
 using reference::Rational;
+using reference::operator+;
+using reference::operator-;
 
 /// Memory for GMP, which makes a hundred thousand small allocations per query. The pool hides these allocations from
 /// the sanitizers and never returns its memory.
@@ -90,11 +94,50 @@ long double time_at(const reference::Turn& turn, const Rational& tau) {
     return tangent < 1e-12L ? at : std::atan(at * tangent) / std::atan(tangent);
 }
 
+Rational volume_of(const reference::Triple& a, const reference::Triple& b, const reference::Triple& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// How often a surface goes around a point that is not on it: how often a ray leaves, less how often it enters. Empty
+/// where the ray meets an edge.
+std::optional<int> winding_along(const reference::Triple& ray, const reference::Surface& surface,
+                                 const reference::Triple& point) {
+    int winding = 0;
+    for (const auto& triangle : surface.triangles) {
+        std::array<reference::Triple, 3> seen;
+        for (std::size_t i = 0; i < 3; ++i)
+            seen[i] = reference::exact(surface.vertices[triangle[i]]) - point;
+        std::array<int, 3> sides{};
+        Rational along = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Rational side = volume_of(ray, seen[i], seen[(i + 1) % 3]);
+            sides[i] = side.sign();
+            along += side;
+        }
+        const auto [least, most] = std::ranges::minmax(sides);
+        if (least < 0 && most > 0)
+            continue; // beside the triangle
+        if (least == 0 || most == 0)
+            return std::nullopt;
+        if (volume_of(seen[0], seen[1], seen[2]).sign() == along.sign())
+            winding += along.sign();
+    }
+    return winding;
+}
+
+int winding_around(const reference::Surface& surface, const reference::Triple& point) {
+    for (int turn = 0;; ++turn)
+        if (const auto winding = winding_along(
+                {Rational(7919 + turn), Rational(104 + 31 * turn * turn), Rational(-1299 + 17 * turn)}, surface, point))
+            return *winding;
+}
+
 /// Tests the pieces of a motion in order until a piece touches.
 class ExactSearch {
 public:
     ExactSearch(const Polyhedron& moving, const Polyhedron& fixed)
-        : moving_(surface_of(moving)), fixed_(surface_of(fixed)) {}
+        : moving_(surface_of(moving)), fixed_(surface_of(fixed)), moving_is_solid_(moving.report().solid_parts > 0),
+          fixed_is_solid_(fixed.report().solid_parts > 0) {}
 
     ExactAnswer along(const ScrewMotion& whole) {
         ExactAnswer answer;
@@ -107,6 +150,8 @@ public:
             const auto turn = reference::detail::shorter_turn(start, goal);
             look(answer, reference::screw_path(start, goal), {i, count},
                  [&](const Rational& tau) { return time_at(turn, tau); });
+            if (i == 0 && !answer.at_start)
+                look_inside(answer, start);
         }
         return answer;
     }
@@ -117,6 +162,8 @@ public:
         const motion::RelativeEnds ends = test::relative_ends_of(whole);
         look(answer, reference::sweep_path(exact(ends.start), exact(ends.goal), reference::exact(centre)), {0, 1},
              [](const Rational& tau) { return tau.convert_to<long double>(); });
+        if (!answer.at_start)
+            look_inside(answer, exact(ends.start));
         return answer;
     }
 
@@ -125,6 +172,21 @@ private:
         std::size_t index;
         std::size_t count;
     };
+
+    /// Surfaces do not meet there, so one corner of a part stands for all of it.
+    void look_inside(ExactAnswer& answer, const reference::ExactPose& start) {
+        const auto has_corner_in = [](const reference::Surface& inner, const reference::Surface& outer, auto place) {
+            return std::ranges::any_of(inner.corners, [&](std::uint32_t corner) {
+                return winding_around(outer, place(reference::exact(inner.vertices[corner]))) > 0;
+            });
+        };
+        answer.moving_is_inside = fixed_is_solid_ && has_corner_in(moving_, fixed_, [&](const reference::Triple& v) {
+                                      return turned(v, start.rotation) + start.translation;
+                                  });
+        answer.fixed_is_inside = moving_is_solid_ && has_corner_in(fixed_, moving_, [&](const reference::Triple& v) {
+                                     return turned(v - start.translation, start.rotation.conjugate());
+                                 });
+    }
 
     template <class TimeAt>
     void look(ExactAnswer& answer, const reference::MotionPath<Rational>& path, const Piece& piece, TimeAt time_at) {
@@ -150,6 +212,8 @@ private:
 
     reference::Surface moving_;
     reference::Surface fixed_;
+    bool moving_is_solid_;
+    bool fixed_is_solid_;
 };
 
 } // namespace

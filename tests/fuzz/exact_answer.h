@@ -5,10 +5,12 @@
 
 namespace chasles::fuzz {
 
-/// The first contact of a whole motion, which may consist of pieces.
+/// The first contact of the surfaces in a whole motion, which may consist of pieces.
 struct ExactAnswer {
     bool touches = false;
     bool at_start = false;
+    bool moving_is_inside = false; ///< at the start, where surfaces do not meet
+    bool fixed_is_inside = false;
     double tau_lower = 0; ///< with `tau_upper`: bracket of the first contact's tau, as FirstContact::tau
     double tau_upper = 0;
     double time_lower = 0; ///< the same in time

@@ -7,6 +7,13 @@ namespace chasles::fuzz {
 namespace {
 
 void demand_right(const FirstContact& found, const ExactAnswer& exact, const Question& question) {
+    const bool nested = exact.moving_is_inside || exact.fixed_is_inside;
+    demand(bool(found.inside) == nested, "a body is inside where it is");
+    if (nested) {
+        demand(found.certain, "a body is certainly inside");
+        demand(found.inside->moving_is_inside ? exact.moving_is_inside : exact.fixed_is_inside, "this body is inside");
+        return;
+    }
     const bool is_clear = found.verdict == Verdict::clear;
     demand(!exact.touches || !is_clear, "no contact is missed");
     demand(exact.touches || is_clear, "no false alarm");

@@ -31,9 +31,13 @@ inline void demand_sound(const FirstContact& found, Find find) {
         demand_sound(contact);
     if (found.overlap)
         demand(found.overlap->point.allFinite(), "overlap points are finite");
-    const bool has_feature = !found.contacts.empty() || found.overlap;
+    if (found.inside)
+        demand(found.inside->point.allFinite(), "points inside are finite");
+    const bool has_feature = !found.contacts.empty() || found.overlap || found.inside;
     demand(has_feature == (found.verdict != Verdict::clear), "a contact has features, and clear has none");
-    demand(!found.overlap || found.verdict == Verdict::contact_at_start, "overlaps are at the start");
+    demand((!found.overlap && !found.inside) || found.verdict == Verdict::contact_at_start,
+           "overlaps and bodies inside of each other are at the start");
+    demand(!found.inside || (found.contacts.empty() && !found.overlap), "surfaces that meet say more than inside");
     demand(find == Find::first_with_all_contacts || found.contacts.size() <= 1,
            "one feature pair unless all are wanted");
 }

@@ -110,6 +110,24 @@ TEST(Inside, IsAContactForEveryQuestion) {
         true);
 }
 
+/// One side of a tetrahedron has its own corners, a rounding away from the others: a seam, which counts as closed.
+TEST(Inside, BesideSeamsIsTold) {
+    const double seam = 0x1p-46, gap = 0x1p-41;
+    Body body{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1 + seam, 0, 0}, {0, 1 + seam, 0}, {0, 0, 1 + seam}},
+              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {4, 5, 6}}};
+    const Polyhedron fixed = body.polyhedron();
+    ASSERT_EQ(fixed.report().solid_parts, 1U);
+    ASSERT_FALSE(fixed.report().closed);
+    for (const double shift : {gap, -gap}) {
+        const Polyhedron moving =
+            triangle({0.5, 0.25, 0.25 + shift}, {0.25, 0.5, 0.25 + shift}, {0.25, 0.25, 0.5 + shift}).polyhedron();
+        const FirstContact found = at_rest(moving, fixed);
+        EXPECT_TRUE(found.certain);
+        EXPECT_EQ(found.verdict, shift > 0 ? Verdict::clear : Verdict::contact_at_start);
+        EXPECT_EQ(found.inside.has_value(), shift < 0);
+    }
+}
+
 TEST(Inside, SurfacesThatMeetAtTheStartSayMore) {
     const Polyhedron small = body_of({cube(0.5)}), large = body_of({cube(1)});
     for (const double shift : {0.5, 0.75, 1.0}) { // touching from within, crossing
