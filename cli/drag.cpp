@@ -287,6 +287,7 @@ void add_drag(CLI::App& app, Task& task) {
         ->type_name("FILE");
     command.add_option("--page", options->page, "write a page (HTML) that replays the hand too")->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
+    add_radius_option(command, options->polyhedron.radius);
     command
         .add_option("--margin", options->margin,
                     "gap that contacts keep; 0: a ten-thousandth of the body; default: the scene's")

@@ -144,6 +144,7 @@ void add_info(CLI::App& app, Task& task) {
     command.add_option("MESH", options->mesh, "mesh file, or a robot: a URDF file")->required()->type_name("FILE");
     add_robot_file_options(command, options->robot);
     add_mesh_options(command, options->polyhedron);
+    add_radius_option(command, options->polyhedron.radius);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_info(*options); }; });
 }

@@ -63,18 +63,48 @@ void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
     add_solid_option(command, options.solid);
 }
 
+void add_radius_option(CLI::App& command, double& radius) {
+    command
+        .add_option_function<std::string>(
+            "--radius", [&radius](const std::string& text) { radius = number_of("--radius", text); },
+            "the bodies are their meshes and all points within this distance; below 0: faces move inwards by so much, "
+            "an overlap that is allowed")
+        ->type_name("R");
+}
+
+CLI::Option* add_radii_option(CLI::App& command, std::string& radii, const char* of_what) {
+    return command
+        .add_option("--radius", radii,
+                    std::string("radii of ") + of_what +
+                        ": all points within this distance belong to it; below 0: faces move inwards by so much, an "
+                        "overlap that is allowed (default 0)")
+        ->type_name("A[,B]");
+}
+
+std::pair<double, double> radii_of(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+        return {number_of("--radius", text), 0};
+    return {number_of("--radius", text.substr(0, comma)), number_of("--radius", text.substr(comma + 1))};
+}
+
 void add_body_options(CLI::App& command, BodyOptions& options) {
     command.add_option("MOVING", options.moving, "mesh of the moving body")->required()->type_name("FILE");
     command.add_option("FIXED", options.fixed, "mesh of the fixed body")->required()->type_name("FILE");
     add_mesh_options(command, options.polyhedron);
+    add_radii_option(command, options.radius, "the moving and of the fixed body");
 }
 
 Bodies load_bodies(const BodyOptions& options) {
     std::vector<std::string> warnings;
-    const MeshWithUnit moving = load_with_unit(options.moving, options.polyhedron, warnings);
-    if (options.fixed == options.moving)
+    const auto [of_moving, of_fixed] = radii_of(options.radius);
+    PolyhedronOptions polyhedron = options.polyhedron;
+    polyhedron.radius = of_moving;
+    const MeshWithUnit moving = load_with_unit(options.moving, polyhedron, warnings);
+    if (options.fixed == options.moving && of_fixed == of_moving)
         return {moving.body, moving.body, warnings};
-    const MeshWithUnit fixed = load_with_unit(options.fixed, options.polyhedron, warnings);
+    polyhedron.radius = of_fixed;
+    const MeshWithUnit fixed = load_with_unit(options.fixed, polyhedron, warnings);
     for (std::string& warning : unit_warnings({{options.moving, moving.unit}, {options.fixed, fixed.unit}}))
         warnings.push_back(std::move(warning));
     return {moving.body, fixed.body, warnings};

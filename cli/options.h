@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chasles::cli {
@@ -23,6 +24,7 @@ struct BodyOptions {
     std::string moving;
     std::string fixed;
     PolyhedronOptions polyhedron;
+    std::string radius = "0"; ///< A[,B]
 };
 
 struct Bodies {
@@ -40,6 +42,11 @@ void add_query_options(CLI::App& command, QuestionOptions& options);
 Solid solid_of(const std::string& text);
 void add_solid_option(CLI::App& command, Solid& solid);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
+/// One radius for all bodies that a file gives none.
+void add_radius_option(CLI::App& command, double& radius);
+/// The radii of two bodies, A[,B].
+CLI::Option* add_radii_option(CLI::App& command, std::string& radii, const char* of_what);
+std::pair<double, double> radii_of(const std::string& text);
 void add_body_options(CLI::App& command, BodyOptions& options);
 
 /// Loads both bodies. If both have the same file name, the file is loaded once.

@@ -76,7 +76,7 @@ std::string part_name(const Robot& robot, const Scene* scene, const std::filesys
     return name;
 }
 
-void attach(Robot& robot, const Scene* scene, const std::string& given, Solid solid,
+void attach(Robot& robot, const Scene* scene, const std::string& given, const PolyhedronOptions& polyhedron,
             std::vector<std::string>& warnings) {
     const std::size_t first = given.find(','), second = given.find(',', first + 1);
     if (first == std::string::npos || second == std::string::npos)
@@ -84,7 +84,6 @@ void attach(Robot& robot, const Scene* scene, const std::string& given, Solid so
     const std::string link = given.substr(0, first), mesh = given.substr(first + 1, second - first - 1);
     at_place("--attach", [&] {
         const Pose pose = at_place(io::in_quotes(given), [&] { return io::parse_pose(given.substr(second + 1)); });
-        const PolyhedronOptions polyhedron{.triangulate = true, .solid = solid};
         robot.attach({part_name(robot, scene, mesh), link, load_with_unit(mesh, polyhedron, warnings).body, pose});
     });
 }
@@ -106,10 +105,10 @@ void add_robot_change_options(CLI::App& command, RobotChangeOptions& options) {
         ->allow_extra_args(false);
 }
 
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, Solid solid,
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, const PolyhedronOptions& polyhedron,
             std::vector<std::string>& warnings) {
     for (const std::string& given : options.attach)
-        attach(robot, scene, given, solid, warnings);
+        attach(robot, scene, given, polyhedron, warnings);
     for (const std::string& given : options.allow)
         allow(robot, scene, given);
 }

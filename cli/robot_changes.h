@@ -18,7 +18,7 @@ void add_robot_change_options(CLI::App& command, RobotChangeOptions& options);
 
 /// Attaches parts, then leaves out pairs. `scene` may be null. Throws InvalidInput "--allow: ..." or "--attach: ...".
 /// Adds what is to be told of the parts.
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, Solid solid,
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, const PolyhedronOptions& polyhedron,
             std::vector<std::string>& warnings);
 
 } // namespace chasles::cli

@@ -193,6 +193,7 @@ void add_scene(CLI::App& app, Task& task) {
         ->required()
         ->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
+    add_radius_option(command, options->polyhedron.radius);
     auto* const all = command.add_flag("--all", options->all, "list the first contact of each pair, in order of time");
     command.add_option("--until", options->until, "leave out contacts after this time")
         ->type_name("T")

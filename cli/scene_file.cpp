@@ -21,8 +21,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "part",   "urdf",  "scale", "pose",
-                                                          "goal", "motion", "centre", "poses", "group", "solid"};
+constexpr std::initializer_list<const char*> body_keys = {"name",  "mesh",  "part",   "urdf",   "scale",
+                                                          "pose",  "goal",  "motion", "centre", "poses",
+                                                          "group", "solid", "radius", "sphere", "capsule"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
@@ -172,18 +173,40 @@ Motion motion_in(const Members& body) {
     return goal ? motion_between(rule, start, *goal) : Motion::at_rest(start);
 }
 
-/// A body has a mesh or a robot without moving joints.
+Polyhedron capsule_in(const Json& json) {
+    const std::vector<double> numbers = numbers_in(json);
+    if (numbers.size() != 2)
+        refuse("needs [radius, length], and there are " + std::to_string(numbers.size()));
+    return make_capsule(numbers[0], numbers[1]);
+}
+
+/// Refuses members that say nothing about a body of this kind.
+void require_none_of(std::initializer_list<const char*> members, const Members& body, const std::string& kind,
+                     const std::string& of) {
+    for (const char* member : members)
+        if (member != kind && body.find(member))
+            refuse(std::string(member) + ": goes with " + of + ", and the body has a " + kind);
+}
+
+/// A body has a mesh, a robot without moving joints, a sphere or a capsule.
 Polyhedron shape_in(const Members& body, Shapes& shapes) {
-    const auto solid = body.read("solid", [](const Json& json) { return solid_of(text_in(json)); });
-    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), solid); });
-    if (!urdf) {
+    const BodyChoice choice{body.read("solid", [](const Json& json) { return solid_of(text_in(json)); }),
+                            body.read("radius", number_in)};
+    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), choice); });
+    const auto sphere = body.read("sphere", [](const Json& json) { return make_sphere(number_in(json)); });
+    const auto capsule = body.read("capsule", capsule_in);
+    if (!urdf && !sphere && !capsule) {
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
-        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1), solid});
+        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1), choice});
     }
-    for (const char* other : {"mesh", "part", "scale"})
-        if (body.find(other))
-            refuse(std::string(other) + ": goes with a mesh, and the body has a urdf");
-    return *urdf;
+    const std::string kind = urdf ? "urdf" : sphere ? "sphere" : "capsule";
+    require_none_of({"mesh", "part", "scale"}, body, kind, "a mesh");
+    for (const char* other : {"sphere", "capsule"})
+        if (other != kind && body.find(other))
+            refuse(std::string(other) + ": the body has a " + kind + " already");
+    if (!urdf)
+        require_none_of({"solid", "radius"}, body, kind, "a mesh or a urdf");
+    return urdf ? *urdf : sphere ? *sphere : *capsule;
 }
 
 void add_body(Scene& scene, const Json& json, Shapes& shapes) {

@@ -34,9 +34,8 @@ Polyhedron Shapes::get(const MeshChoice& choice) {
     return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice)).first->second;
 }
 
-Polyhedron Shapes::get_urdf(const std::string& name, std::optional<Solid> given) {
-    const Solid solid = given.value_or(options_.solid);
-    if (const auto found = robots_.find({name, solid}); found != robots_.end())
+Polyhedron Shapes::get_urdf(const std::string& name, const BodyChoice& body) {
+    if (const auto found = robots_.find({name, body}); found != robots_.end())
         return found->second;
     const Robot robot = Robot::load(folder_ / name);
     warnings_.insert(warnings_.end(), robot.warnings().begin(), robot.warnings().end());
@@ -46,7 +45,7 @@ Polyhedron Shapes::get_urdf(const std::string& name, std::optional<Solid> given)
     if (!joints.empty())
         throw InvalidInput("the joints of " + io::in_quotes(name) + " move (" + joints +
                            "), and a body of a scene is rigid; `chasles robot` moves joints");
-    return robots_.emplace(std::pair(name, solid), robot.shape(robot.neutral(), solid)).first->second;
+    return robots_.emplace(std::pair(name, body), robot.shape(robot.neutral(), options_of(body))).first->second;
 }
 
 std::vector<std::string> Shapes::warnings() const {
@@ -56,22 +55,23 @@ std::vector<std::string> Shapes::warnings() const {
     return all;
 }
 
-PolyhedronOptions Shapes::options_of(const MeshChoice& choice) const {
+PolyhedronOptions Shapes::options_of(const BodyChoice& body) const {
     PolyhedronOptions options = options_;
-    options.solid = choice.solid.value_or(options.solid);
+    options.solid = body.solid.value_or(options.solid);
+    options.radius = body.radius.value_or(options.radius);
     return options;
 }
 
 Polyhedron Shapes::load(const std::filesystem::path& file, const MeshChoice& choice) {
     if (choice.scale == 1) {
-        MeshWithUnit mesh = load_with_unit(file, options_of(choice), warnings_);
+        MeshWithUnit mesh = load_with_unit(file, options_of(choice.body), warnings_);
         units_.push_back({file.string(), mesh.unit});
         return mesh.body;
     }
     io::PolygonSoup soup = io::load_polygons(file);
     for (Eigen::Vector3d& vertex : soup.vertices)
         vertex *= choice.scale;
-    const Polyhedron body = io::body_of(file, soup, options_of(choice));
+    const Polyhedron body = io::body_of(file, soup, options_of(choice.body));
     io::warn_of_cut_polygons(file, soup, body, warnings_);
     return body;
 }
@@ -86,7 +86,7 @@ Polyhedron Shapes::load_part(const std::filesystem::path& file, const MeshChoice
         units_.push_back({choice.file, part.unit});
     for (Eigen::Vector3d& vertex : part.polygons.vertices)
         vertex *= choice.scale;
-    const Polyhedron body = io::body_of(file, part, options_of(choice));
+    const Polyhedron body = io::body_of(file, part, options_of(choice.body));
     io::warn_of_cut_polygons(file, part.polygons, body, warnings_);
     return body;
 }

@@ -10,16 +10,22 @@
 
 namespace chasles::cli {
 
+/// What makes a body of a surface; as for all bodies where there is none.
+struct BodyChoice {
+    std::optional<Solid> solid = {};
+    std::optional<double> radius = {};
+
+    friend auto operator<=>(const BodyChoice&, const BodyChoice&) = default;
+};
+
 /// What a body takes from a mesh file.
 struct MeshChoice {
     std::string file;
     std::optional<std::string> part; ///< all parts as one body if there is none
     double scale = 1;
-    std::optional<Solid> solid = {}; ///< that of all bodies if there is none
+    BodyChoice body = {};
 
-    bool operator<(const MeshChoice& other) const {
-        return std::tie(file, part, scale, solid) < std::tie(other.file, other.part, other.scale, other.solid);
-    }
+    friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
 };
 
 /// Meshes by file, part and scale, and robots that do not move, each loaded once.
@@ -30,7 +36,9 @@ public:
 
     Polyhedron get(const MeshChoice& choice);
     /// All links of a robot whose joints do not move, as one body.
-    Polyhedron get_urdf(const std::string& name, std::optional<Solid> solid);
+    Polyhedron get_urdf(const std::string& name, const BodyChoice& body);
+    /// The options of a body. Its scale does not change its radius.
+    [[nodiscard]] PolyhedronOptions options_of(const BodyChoice& body) const;
 
     /// About the robots, polygons that were cut, and units that differ. A mesh with a scale counts as one without a
     /// unit.
@@ -39,13 +47,12 @@ public:
 private:
     Polyhedron load(const std::filesystem::path& file, const MeshChoice& choice);
     Polyhedron load_part(const std::filesystem::path& file, const MeshChoice& choice);
-    [[nodiscard]] PolyhedronOptions options_of(const MeshChoice& choice) const;
 
     std::filesystem::path folder_;
     PolyhedronOptions options_;
     std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
     std::map<MeshChoice, Polyhedron> shapes_;
-    std::map<std::pair<std::string, Solid>, Polyhedron> robots_;
+    std::map<std::pair<std::string, BodyChoice>, Polyhedron> robots_;
     std::vector<std::string> warnings_;
     std::vector<StatedUnit> units_;
 };

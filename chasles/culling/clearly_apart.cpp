@@ -148,7 +148,7 @@ bool have_large_nodes_apart(const CoarseScene& scene, const Placement& start, co
 } // namespace
 
 bool are_clearly_apart(const Body& moving, const Body& fixed, const CoarseMotion& motion, double margin) {
-    const CoarseScene scene{moving, fixed, motion, margin};
+    const CoarseScene scene{moving, fixed, motion, distance_of_polyhedra(moving, fixed, margin)};
     const Placement start = scene.placement(0);
     const Placement end = scene.placement(1);
     return (have_large_nodes_apart(scene, start, end) &&

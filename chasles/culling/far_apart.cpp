@@ -24,7 +24,8 @@ bool are_far_apart(const Body& moving, const Body& fixed, const motion::AnyTraje
     const motion::PathBall path = trajectory.ball_around_path(motion::vector_in<double>(mover.centre()));
     const double distance = length(path.centre - motion::vector_in<double>(target.centre()));
     const double size = size_of(mover.centre()) + size_of(target.centre()) + path.size + distance + 2 * path.radius;
-    return distance - (mover.radius() + target.radius()) - path.radius - margin > slack * size;
+    const double reach = mover.radius() + target.radius() + moving.radius() + fixed.radius();
+    return distance - reach - path.radius - margin > slack * (size + moving.radius() + fixed.radius());
 }
 
 } // namespace chasles::culling

@@ -20,7 +20,8 @@ Vector3d direction(const Body& body, const Feature& edge, const Pose& pose) {
 } // namespace
 
 ModelledContact modelled(const Contact& contact, std::size_t body, const PlacedPair& pair) {
-    ModelledContact result{.contact = contact, .body = body};
+    ModelledContact result{
+        .contact = contact, .body = body, .moving_radius = pair.moving.radius(), .fixed_radius = pair.fixed.radius()};
     if (contact.kind != ContactKind::edge_edge)
         return result;
     const Vector3d moving = direction(pair.moving, contact.moving, pair.moving_pose);
@@ -41,15 +42,18 @@ Displacement Displacement::between(const Pose& from, const Pose& to) {
 
 double gap_after(const ModelledContact& modelled, const Displacement& displacement) {
     const Contact& contact = modelled.contact;
-    const Vector3d on_moving = contact.point + contact.gap * contact.normal;
-    const Vector3d apart = displacement.turn * on_moving + displacement.shift - contact.point;
+    const double radii = modelled.moving_radius + modelled.fixed_radius;
+    const Vector3d on_fixed = contact.point - modelled.fixed_radius * contact.normal;
+    const Vector3d on_moving = on_fixed + (contact.gap + radii) * contact.normal;
+    const Vector3d apart = displacement.turn * on_moving + displacement.shift - on_fixed;
+    const auto gap_along = [&](const Vector3d& normal) { return normal.dot(apart) - radii; };
     if (modelled.fixed_direction != Vector3d::Zero()) {
         const Vector3d normal = (displacement.turn * modelled.moving_direction).cross(modelled.fixed_direction);
-        return normal.norm() < least_sine ? contact.normal.dot(apart) : normal.normalized().dot(apart);
+        return gap_along(normal.norm() < least_sine ? contact.normal : normal.normalized());
     }
     const bool plane_moves = moving_feature_kind(contact.kind) != FeatureKind::vertex &&
                              fixed_feature_kind(contact.kind) == FeatureKind::vertex;
-    return plane_moves ? (displacement.turn * contact.normal).dot(apart) : contact.normal.dot(apart);
+    return gap_along(plane_moves ? Vector3d(displacement.turn * contact.normal) : contact.normal);
 }
 
 } // namespace chasles::manipulation

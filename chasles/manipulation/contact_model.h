@@ -14,6 +14,8 @@ struct ModelledContact {
     std::size_t body = 0;                                       ///< the other one; an index of the scene
     Eigen::Vector3d moving_direction = Eigen::Vector3d::Zero(); ///< unit, of two edges that are not parallel
     Eigen::Vector3d fixed_direction = Eigen::Vector3d::Zero();  ///< likewise; else zero
+    double moving_radius = 0;                                   ///< of the bodies: features are so far inside of them
+    double fixed_radius = 0;
 };
 
 /// Two bodies at their poses.

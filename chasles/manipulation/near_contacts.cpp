@@ -27,7 +27,8 @@ NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, do
     const ScrewMotion rest = ScrewMotion::relative(moving.pose, moving.pose, fixed.pose, fixed.pose);
     const auto pieces = Motion(rest).trajectory().pieces();
     search::PieceContext context(moving.body, fixed.body, pieces->at(0));
-    const query::ContactMoment moment(context, reach, most_slopes);
+    const double radii = distance_of_polyhedra(moving.body, fixed.body, 0);
+    const query::ContactMoment moment(context, reach + radii, most_slopes);
     search::NearFeatures near =
         moment.find({.most_visits = most_visits, .refinements = refinements, .finds_overlaps = true, .memory = memory});
     chasles::sort(near.pairs); // what is remembered changes their order
@@ -38,7 +39,7 @@ NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, do
         return found;
     }
     if (near.is_cut)
-        found.distance = std::min(reach, near.complete_within);
+        found.distance = std::clamp(near.complete_within - radii, 0.0, reach);
     if (!near.pairs.empty())
         found.contacts = moment.contacts_of(near.pairs);
     found.is_cut = query::cut_to_most(found.contacts) || near.is_cut;

@@ -19,7 +19,7 @@ Other placed(const Scene& scene, std::size_t index, std::size_t dragged) {
     const bool is_ignored = scene.is_ignored(index, dragged);
     Other other{index, body.name, body.shape, body.motion, body.motion.pose_at(1), is_ignored, {}, 0, nullptr};
     other.centre = other.pose.isometry() * body.shape.body().bvh().centre();
-    other.radius = body.shape.body().vertex_radius();
+    other.radius = body.shape.body().ball_radius();
     other.radius += ball_rounding * (other.radius + other.centre.norm());
     prepare(body.shape.body());
     return other;
@@ -81,7 +81,7 @@ std::optional<std::vector<std::size_t>> Surroundings::refresh(const Scene& scene
 Neighbourhood Surroundings::near(const Body& body, const Pose& pose) {
     Neighbourhood found;
     const Eigen::Vector3d centre = pose.isometry() * body.bvh().centre();
-    const double radius = distances_.reach + body.vertex_radius() + ball_rounding * centre.norm();
+    const double radius = distances_.reach + body.ball_radius() + ball_rounding * centre.norm();
     for (Other& other : others_) {
         found.distances.push_back(distances_.reach);
         if (other.is_ignored || (centre - other.centre).norm() > radius + other.radius)
@@ -106,7 +106,7 @@ Passage Surroundings::passage(const Body& body, const Pose& start, const Pose& g
     const motion::PathBall path =
         Motion::screw(start, goal).trajectory().ball_around_path({middle.x(), middle.y(), middle.z()});
     const Eigen::Vector3d centre(path.centre.x, path.centre.y, path.centre.z);
-    const double radius = path.radius + body.vertex_radius() + ball_rounding * path.size;
+    const double radius = path.radius + body.ball_radius() + ball_rounding * path.size;
     Passage passage;
     passage.clearance = distances_.margin;
     for (std::size_t i = 0; i < others_.size(); ++i) {

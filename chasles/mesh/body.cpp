@@ -2,7 +2,11 @@
 // counts memory. Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
+#include "chasles/algebra/double_double.h"
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -32,11 +36,16 @@ FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, st
 
 } // namespace
 
+double distance_of_polyhedra(const Body& moving, const Body& fixed, double distance) {
+    const auto sum = algebra::DoubleDouble(distance) + moving.radius() + fixed.radius();
+    return sum.low() > 0 ? std::nextafter(sum.high(), std::numeric_limits<double>::infinity()) : sum.high();
+}
+
 Body::Body(BodyParts parts) : parts_(std::move(parts)) {
     constexpr double outward = 1 + 1e-14; // for the rounding of distances
     for (const Eigen::Vector3d& vertex : parts_.vertices)
-        vertex_radius_ = std::max(vertex_radius_, (vertex - parts_.bvh.centre()).norm() * outward);
-    vertex_radius_ = std::min(vertex_radius_, parts_.bvh.radius());
+        ball_radius_ = std::max(ball_radius_, (vertex - parts_.bvh.centre()).norm() * outward);
+    ball_radius_ = std::min(ball_radius_, parts_.bvh.radius()) + radius();
 }
 
 std::span<const std::uint32_t> Body::faces_around(std::size_t vertex) const {

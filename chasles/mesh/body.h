@@ -80,9 +80,12 @@ public:
     /// The parts of the surface, and which of them enclose a volume that belongs to the body.
     [[nodiscard]] const Volume& volume() const { return parts_.volume; }
 
-    /// A bound of the distance of any vertex from the centre of the hierarchy, in the length unit. It is smaller than
-    /// the radius of the hierarchy, which is that of its box.
-    [[nodiscard]] double vertex_radius() const { return vertex_radius_; }
+    /// The body is its polyhedron and all points within this distance of it, in the length unit.
+    [[nodiscard]] double radius() const { return parts_.report.radius; }
+
+    /// A bound of the distance of any point of the body from the centre of the hierarchy, in the length unit: of its
+    /// vertices, which is smaller than that of the hierarchy's box, and the radius.
+    [[nodiscard]] double ball_radius() const { return ball_radius_; }
 
     [[nodiscard]] const MeshReport& report() const { return parts_.report; }
 
@@ -91,7 +94,7 @@ public:
 
 private:
     BodyParts parts_;
-    double vertex_radius_ = 0;
+    double ball_radius_ = 0;
     mutable std::once_flag faces_around_once_;
     mutable FlatLists<std::uint32_t> faces_around_;
     mutable std::once_flag normal_cones_once_;
@@ -99,5 +102,8 @@ private:
     mutable std::once_flag vertex_blocks_once_;
     mutable std::vector<VertexBlock> vertex_blocks_;
 };
+
+/// The distance of the polyhedra of two bodies that are so far from each other: more by both radii, rounded up.
+[[nodiscard]] double distance_of_polyhedra(const Body& moving, const Body& fixed, double distance);
 
 } // namespace chasles

@@ -75,7 +75,7 @@ bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& ou
 
 } // namespace
 
-void check_vertices(std::span<const Eigen::Vector3d> vertices) {
+void check_vertices(std::span<const Eigen::Vector3d> vertices, bool is_round) {
     Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d upper = -lower;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -83,7 +83,8 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices) {
         lower = lower.cwiseMin(vertices[i]);
         upper = upper.cwiseMax(vertices[i]);
     }
-    if (!vertices.empty() && (upper - lower).maxCoeff() < smallest_size)
+    const bool is_point = is_round && lower == upper;
+    if (!vertices.empty() && !is_point && (upper - lower).maxCoeff() < smallest_size)
         throw InvalidInput("mesh: all vertices lie within " + number_text((upper - lower).maxCoeff()) +
                            " of each other, which is too small to compute with (at least " +
                            number_text(smallest_size) + ")");
@@ -97,7 +98,7 @@ void SortedFaces::append(Outline& corners, std::uint32_t source, std::span<const
     (is_on_one_line(vertices, corners) ? collapsed : proper).append(corners, source);
 }
 
-SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces) {
+SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces, bool is_round) {
     check_counts(vertices, faces);
     const std::vector<std::uint32_t> first_equal = first_equal_vertices(vertices);
     SortedFaces sorted;
@@ -111,8 +112,8 @@ SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<cons
             corners.push_back(first_equal[vertex]);
         sorted.append(corners, index, vertices);
     }
-    if (sorted.proper.source.empty())
-        throw InvalidInput("mesh: no face has an area; no option accepts this mesh, because it has no surface");
+    if (sorted.proper.source.empty() && !is_round)
+        throw InvalidInput("mesh: no face has an area; a body without a surface needs a radius above 0");
     return sorted;
 }
 

@@ -35,13 +35,14 @@ struct SortedFaces {
 };
 
 /// Throws InvalidInput if a coordinate is not finite or exceeds 1e30, or if the body is smaller than 1e-30 in the
-/// length unit. Arithmetic would overflow or underflow there (docs/decisions/0012-range-of-coordinates.md).
-void check_vertices(std::span<const Eigen::Vector3d> vertices);
+/// length unit. Arithmetic would overflow or underflow there (docs/decisions/0012-range-of-coordinates.md). A round
+/// body may be a single point.
+void check_vertices(std::span<const Eigen::Vector3d> vertices, bool is_round);
 
 /// Replaces each index by the index of the first equal vertex, removes corners that repeat the previous corner, and
 /// sorts proper faces from collapsed faces by exact tests. Throws InvalidInput for an index out of range, for a face of
-/// fewer than three corners, and if no face has an area.
+/// fewer than three corners, and if no face has an area, unless the body is round.
 [[nodiscard]] SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices,
-                                     std::span<const std::span<const std::uint32_t>> faces);
+                                     std::span<const std::span<const std::uint32_t>> faces, bool is_round);
 
 } // namespace chasles

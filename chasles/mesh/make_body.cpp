@@ -68,7 +68,8 @@ std::size_t depth_of(std::span<const BvhNode> nodes) {
     return *std::ranges::max_element(depths);
 }
 
-/// Adds the bounding box of all vertices that faces own. It contains the flat vertices, which no face owns.
+/// Adds the bounding box: of all vertices that faces own, widened by the radius. It contains the flat vertices, which
+/// no face owns.
 void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     Eigen::Vector3d lower = parts.vertices[parts.owned_vertices.items.front()];
     Eigen::Vector3d upper = lower;
@@ -76,8 +77,9 @@ void add_bounding_box(const BodyParts& parts, MeshReport& report) {
         lower = lower.cwiseMin(parts.vertices[vertex]);
         upper = upper.cwiseMax(parts.vertices[vertex]);
     }
-    report.lower = lower;
-    report.upper = upper;
+    const Eigen::Vector3d radius = Eigen::Vector3d::Constant(report.radius);
+    report.lower = lower - radius;
+    report.upper = upper + radius;
 }
 
 /// Adds nodes, depth and bytes of the BVH.
@@ -147,8 +149,8 @@ void keep_segments(std::span<const Eigen::Vector3d> vertices, PolygonFaces& poly
 
 BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const std::span<const std::uint32_t>> faces,
                     const PolyhedronOptions& options) {
-    check_vertices(vertices);
-    SortedFaces sorted = sort_faces(vertices, faces);
+    check_vertices(vertices, options.radius > 0);
+    SortedFaces sorted = sort_faces(vertices, faces, options.radius > 0);
     const std::size_t distinct_vertices = sorted.distinct_vertices;
     PolygonFaces polygons = examine_polygons(std::move(sorted), vertices, options);
     const FlatLists<std::uint32_t>& outlines = polygons.faces.outlines;
@@ -176,6 +178,7 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.triangles.shrink();
     parts.outlines.shrink();
     add_volume(parts, open.unpaired, options.solid);
+    parts.report.radius = options.radius;
     add_bounding_box(parts, parts.report);
     add_bvh(parts.bvh, parts.report);
     return parts;

@@ -2,9 +2,54 @@
 // `Polyhedron::load` is in chasles/io/mesh_files.cpp.
 #include "chasles/mesh/polyhedron.h"
 
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/mesh/make_body.h"
+#include "chasles/mesh/moved_inwards.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace chasles {
+
+namespace {
+
+void check_radius(double radius) {
+    constexpr double largest = 1e30;
+    if (!(std::abs(radius) <= largest))
+        throw InvalidInput("mesh: radius: " + number_text(radius) + " must be in [-1e30, 1e30]");
+}
+
+using Outlines = std::vector<std::span<const std::uint32_t>>;
+
+Outlines outlines_of(const Body& body) {
+    Outlines outlines;
+    for (std::size_t face = 0; face < body.face_count(); ++face)
+        outlines.push_back(body.face(face));
+    return outlines;
+}
+
+/// With faces named as those of the body are.
+BodyParts made_again(const Body& body, std::span<const Eigen::Vector3d> vertices, const PolyhedronOptions& options) {
+    BodyParts parts = make_body(vertices, outlines_of(body), options);
+    std::vector<std::uint32_t> source;
+    for (std::size_t face = 0; face < parts.outlines.size(); ++face)
+        source.push_back(body.source_face(parts.source.empty() ? face : parts.source[face]));
+    parts.source = std::move(source);
+    return parts;
+}
+
+/// Polygons whose corners do not move alike are no longer planar, and are cut into triangles.
+BodyParts moved(const Body& body, PolyhedronOptions options) {
+    const double distance = -options.radius;
+    options.radius = 0;
+    options.triangulate = true;
+    BodyParts parts = made_again(body, moved_inwards(body, distance), options);
+    parts.report.moved_inwards = distance;
+    return parts;
+}
+
+} // namespace
 
 Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces,
@@ -16,7 +61,19 @@ Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
 Polyhedron Polyhedron::from_outlines(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::span<const std::uint32_t>> outlines,
                                      const PolyhedronOptions& options) {
-    return Polyhedron(std::make_shared<const Body>(make_body(vertices, outlines, options)));
+    check_radius(options.radius);
+    PolyhedronOptions given = options;
+    given.radius = std::max(options.radius, 0.0);
+    auto body = std::make_shared<const Body>(make_body(vertices, outlines, given));
+    return Polyhedron(options.radius < 0 ? std::make_shared<const Body>(moved(*body, options)) : std::move(body));
+}
+
+Polyhedron Polyhedron::with_radius(double radius) const {
+    check_radius(radius);
+    const PolyhedronOptions options{
+        .triangulate = true, .solid = report().solid_parts > 0 ? Solid::automatic : Solid::no, .radius = radius};
+    return Polyhedron(
+        std::make_shared<const Body>(radius < 0 ? moved(*body_, options) : made_again(*body_, vertices(), options)));
 }
 
 Polyhedron::Polyhedron(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
@@ -54,6 +111,10 @@ std::vector<std::array<std::uint32_t, 3>> Polyhedron::triangles(std::size_t face
 
 std::uint32_t Polyhedron::source_face(std::size_t face) const {
     return body_->source_face(face);
+}
+
+double Polyhedron::radius() const {
+    return body_->radius();
 }
 
 MeshReport Polyhedron::report() const {

@@ -31,6 +31,10 @@ struct PolyhedronOptions {
     /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
     unsigned threads = 0;
     Solid solid = Solid::automatic;
+    /// The body is its polyhedron and all points within this distance of it, in the length unit. Below 0, the planes of
+    /// the faces of a closed body move inwards by at most so much: an overlap that is allowed
+    /// (docs/derivations/38-radius.md).
+    double radius = 0;
 };
 
 /// Counts and dimensions of a mesh; see Polyhedron::report().
@@ -52,12 +56,15 @@ struct MeshReport {
     std::size_t solid_parts = 0;    ///< parts whose volume belongs to the body; see Solid
     double volume = 0; ///< of these, cubic mesh unit: what is turned inwards counts less than nothing, what is covered
                        ///< twice counts twice
-    Eigen::Vector3d lower =
-        Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
+    Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< lower corner of the bounding box: of all used vertices,
+                                                     ///< widened by the radius; in the length unit
     Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner
-    std::size_t bvh_nodes = 0;                       ///< nodes of the bounding volume hierarchy (BVH)
-    std::size_t bvh_depth = 0;                       ///< levels of the BVH
-    std::size_t bvh_bytes = 0;                       ///< memory of the BVH in bytes
+    double radius = 0; ///< the body is its polyhedron and all points within so much of it, in the length unit
+    double moved_inwards =
+        0; ///< the faces have moved inwards by at most so much: the body has been made with a radius below 0
+    std::size_t bvh_nodes = 0; ///< nodes of the bounding volume hierarchy (BVH)
+    std::size_t bvh_depth = 0; ///< levels of the BVH
+    std::size_t bvh_bytes = 0; ///< memory of the BVH in bytes
 };
 
 class Body;
@@ -77,6 +84,11 @@ public:
     ///
     /// A face without area, because all its vertices lie on one line, is accepted. The parts of its line that no edge
     /// of another face covers are kept as segments with edges and vertices (docs/decisions/0071-faces-without-area.md).
+    ///
+    /// A radius must be finite and at most 1e30 in magnitude. One above 0 is kept, and a mesh without area is a body
+    /// with it: a face a, b, b is a segment, and p, p, p a point. One below 0 moves vertices once, here: the vertices
+    /// of the body are the moved ones, and its own radius is 0. It needs a closed surface whose faces are all turned
+    /// the same way, and refuses to turn a face over.
     static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
@@ -89,6 +101,10 @@ public:
     /// Reads a file (docs/files.md) as one body; `load_parts` keeps its parts apart. Throws InvalidInput with the file
     /// name, the line number if the format has lines, and the reason. Defined in chasles/io/mesh_files.cpp.
     static Polyhedron load(const std::filesystem::path& file, const PolyhedronOptions& options = {});
+
+    /// The same polyhedron with another radius, which counts as PolyhedronOptions::radius. It is solid if this one is.
+    /// Throws InvalidInput as from_polygons.
+    [[nodiscard]] Polyhedron with_radius(double radius) const;
 
     [[nodiscard]] std::size_t vertex_count() const;
     [[nodiscard]] std::size_t face_count() const;
@@ -109,6 +125,9 @@ public:
 
     /// Triangles that cover any face: vertex ids. A convex face is a fan at its first corner.
     [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t face) const;
+
+    /// The body is the polyhedron and all points within this distance of it, in the length unit; at least 0.
+    [[nodiscard]] double radius() const;
 
     /// Counts and dimensions of the mesh.
     [[nodiscard]] MeshReport report() const;

@@ -148,6 +148,32 @@ Polyhedron make_box(const Vector3d& sides) {
     return Polyhedron::from_polygons(vertices, faces);
 }
 
+Polyhedron make_sphere(double radius) {
+    require_positive("sphere", {{"radius", radius}});
+    return make_points(std::array{Vector3d(0, 0, 0)}, radius);
+}
+
+Polyhedron make_capsule(double radius, double length) {
+    require_positive("capsule", {{"radius", radius}, {"length", length}});
+    const std::array ends{Vector3d(0, 0, -0.5 * length), Vector3d(0, 0, 0.5 * length)};
+    const std::vector<std::vector<std::uint32_t>> segment{{0, 1, 1}};
+    return Polyhedron::from_polygons(ends, segment, {.radius = radius});
+}
+
+Polyhedron make_points(std::span<const Vector3d> points, double radius) {
+    require_positive("points", {{"radius", radius}});
+    if (points.empty())
+        throw InvalidInput("points: needs at least one point");
+    std::vector<std::uint32_t> corners;
+    std::vector<std::span<const std::uint32_t>> outlines;
+    corners.reserve(3 * points.size()); // spans stay valid
+    for (std::uint32_t point = 0; point < points.size(); ++point) {
+        corners.insert(corners.end(), 3, point);
+        outlines.emplace_back(std::span(corners).last(3));
+    }
+    return Polyhedron::from_outlines(points, outlines, {.radius = radius});
+}
+
 EnclosingPolyhedron enclosing_cylinder(double radius, double length, double deviation) {
     require_positive("cylinder", {{"radius", radius}, {"length", length}, {"deviation", deviation}});
     require_feasible("cylinder", deviation, 1e-5 * radius);

@@ -1,4 +1,4 @@
-// Polyhedra for boxes, and polyhedra that enclose cylinders, spheres and capsules.
+// Boxes, round bodies, and polyhedra that enclose cylinders, spheres and capsules.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -13,6 +13,17 @@ struct EnclosingPolyhedron {
 
 /// The box of these three sides, centred at the origin. Throws InvalidInput "box: WHY" unless they are positive.
 CHASLES_EXPORT Polyhedron make_box(const Eigen::Vector3d& sides);
+
+/// The sphere about the origin: a point with a radius. Throws InvalidInput "sphere: WHY" unless the radius is positive.
+CHASLES_EXPORT Polyhedron make_sphere(double radius);
+
+/// All points within `radius` of the segment of this length along the z axis, whose middle is the origin. Throws
+/// InvalidInput "capsule: WHY" unless both are positive.
+CHASLES_EXPORT Polyhedron make_capsule(double radius, double length);
+
+/// All points within `radius` of some points, as one body: face i is point i. Throws InvalidInput "points: WHY" unless
+/// the radius is positive, and with the number of the point as from_polygons.
+CHASLES_EXPORT Polyhedron make_points(std::span<const Eigen::Vector3d> points, double radius);
 
 /// Encloses the cylinder of a radius and a length about the z axis, centred at the origin. No point of it is farther
 /// than `deviation` from the cylinder, up to rounding. Throws InvalidInput "cylinder: WHY" for numbers that are not

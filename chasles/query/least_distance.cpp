@@ -39,7 +39,9 @@ private:
 
     void descend_from_samples();
     void descend(std::size_t piece, double tau, const contact::FeaturePair& features);
-    [[nodiscard]] double upper() const { return nearest_.at.near.distance + rounding_; }
+    /// The distance found.
+    [[nodiscard]] double found() const { return nearest_.at.near.distance - radii_; }
+    [[nodiscard]] double upper() const { return std::max(0.0, found() + rounding_); }
     [[nodiscard]] bool is_narrow() const {
         return lower_ > 0 && upper() - lower_ <= question_.options.tolerance * upper();
     }
@@ -56,6 +58,7 @@ private:
 
     const query::LeastPairQuery& question_;
     std::vector<PieceContext> pieces_;
+    double radii_ = 0;    ///< of both bodies: distances are less than those of their polyhedra by so much
     double rounding_ = 0; ///< a bound of the rounding of distances at rest, mesh unit
     double lower_ = 0;    ///< proven
     Moment nearest_;
@@ -73,6 +76,9 @@ LeastDistanceSearch::LeastDistanceSearch(const query::LeastPairQuery& question) 
         const PieceContext& piece = pieces_.emplace_back(question.moving, question.fixed, pieces->at(i));
         rounding_ = std::max(rounding_, 4 * elementary::position_error<double>(piece.error_scale(0)));
     }
+    radii_ = distance_of_polyhedra(question.moving, question.fixed, 0);
+    constexpr double rounding_of_sums = 0x1p-51;
+    rounding_ += rounding_of_sums * radii_;
     nearest_.at.near.distance = std::numeric_limits<double>::infinity();
 }
 
@@ -137,8 +143,8 @@ void LeastDistanceSearch::descend(std::size_t piece, double tau, const contact::
 double LeastDistanceSearch::next_level() const {
     constexpr int patience = 8;
     const double step = std::ldexp(question_.options.tolerance, std::max(0, finds_ - patience));
-    const double found = nearest_.at.near.distance - rounding_ / 8;
-    const double level = std::min(upper() * (1 - 0.875 * step), found * (1 - 0.25 * step));
+    const double below = found() - rounding_ / 8;
+    const double level = std::min(upper() * (1 - 0.875 * step), below * (1 - 0.25 * step));
     return finds_ < patience ? level : std::max(level, 0.5 * (lower_ + upper()));
 }
 
@@ -175,7 +181,7 @@ std::optional<PieceResult> LeastDistanceSearch::first_within(double level) {
         PieceContext& context = pieces_[clear_pieces_];
         search::SearchOptions options;
         options.tolerance = 0x1p-20;
-        options.margin = level;
+        options.margin = distance_of_polyhedra(question_.moving, question_.fixed, level);
         options.check_start = clear_pieces_ == 0;
         options.from = clear_until_;
         PieceResult result = search_piece(context, options);

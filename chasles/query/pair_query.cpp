@@ -68,7 +68,7 @@ public:
 private:
     /// What a pair is reported at.
     struct Level {
-        double distance;
+        double distance;         ///< of the polyhedra
         bool is_reached = false; ///< the bodies start as near as they may be
     };
     [[nodiscard]] std::optional<PieceResult> contact_in(PieceContext& context, search::SearchOptions options,
@@ -79,6 +79,9 @@ private:
     FirstContact run_from_within();
     [[nodiscard]] std::optional<Level> level_of(const ContactMoment& start, const search::NearFeatures& near) const;
 
+    [[nodiscard]] double of_polyhedra(double distance) const {
+        return distance_of_polyhedra(query_.moving, query_.fixed, distance);
+    }
     [[nodiscard]] double resting_slack() const;
     [[nodiscard]] double least_distance(const ContactMoment& start, const search::NearFeatures& near) const;
 
@@ -95,12 +98,12 @@ FirstContact PieceByPiece::run() {
     const std::optional<search::Nested> nested = nested_at_start(first_);
     if (!nested)
         return run_on_surfaces();
-    const FirstContact met = run_within(0, true, 0);
+    const FirstContact met = run_within(of_polyhedra(0), true, 0);
     return met.verdict == Verdict::contact_at_start ? run_on_surfaces() : inside_at_start(*nested, met.work);
 }
 
 FirstContact PieceByPiece::run_on_surfaces() {
-    return options_.hold ? run_from_within() : run_within(options_.margin, true, query_.until);
+    return options_.hold ? run_from_within() : run_within(of_polyhedra(options_.margin), true, query_.until);
 }
 
 FirstContact PieceByPiece::inside_at_start(const search::Nested& nested, const Work& work) const {
@@ -135,7 +138,7 @@ std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, searc
     }
 }
 
-/// The first time at which the bodies are within the level. `checks_start`: they may be at time 0.
+/// The first time at which the polyhedra are within the level. `checks_start`: they may be at time 0.
 FirstContact PieceByPiece::run_within(double level, bool checks_start, double until) {
     FirstContact found;
     const bool finds_any = options_.find == Find::any && checks_start;
@@ -166,15 +169,16 @@ FirstContact PieceByPiece::run_within(double level, bool checks_start, double un
 /// Source: docs/derivations/17-hold.md.
 FirstContact PieceByPiece::run_from_within() {
     // A motion that stopped at the margin ended within it, up to rounding.
-    const ContactMoment start(first_, 0, true, options_.margin + resting_slack(), 0);
+    const double margin = of_polyhedra(options_.margin);
+    const ContactMoment start(first_, 0, true, margin + resting_slack(), 0);
     const search::NearFeatures near = start.find({.finds_overlaps = true, .memory = memory_});
     const bool is_within = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
-    const std::optional<Level> level = is_within ? level_of(start, near) : Level{options_.margin};
+    const std::optional<Level> level = is_within ? level_of(start, near) : Level{margin};
     FirstContact found;
     if (level)
         found = run_within(level->distance, !is_within, query_.until);
     else
-        report(found, first_, contact_of(near), {options_, true, options_.margin});
+        report(found, first_, contact_of(near), {options_, true, margin});
     found.work += near.work;
     if (!is_within || !level)
         return found;
@@ -193,12 +197,12 @@ std::optional<PieceByPiece::Level> PieceByPiece::level_of(const ContactMoment& s
         return std::nullopt;
     const double rounding = resting_slack();
     const double distance = least_distance(start, near);
-    if (distance <= rounding)
+    if (distance - of_polyhedra(0) <= rounding)
         return std::nullopt;
     if (*options_.hold == 0)
-        return Level{0};
+        return Level{of_polyhedra(0)};
     for (const int reserve : {2, 1, 0})
-        if (const double level = *options_.hold + reserve * rounding; level <= distance - rounding / 2)
+        if (const double level = of_polyhedra(*options_.hold) + reserve * rounding; level <= distance - rounding / 2)
             return Level{level, reserve < 2};
     return Level{distance - rounding, true};
 }
@@ -206,12 +210,13 @@ std::optional<PieceByPiece::Level> PieceByPiece::level_of(const ContactMoment& s
 /// A hundred times as much as the rounding of poses to doubles moves bodies.
 double PieceByPiece::resting_slack() const {
     constexpr double rounding_of_poses = 0x1p-44;
-    return rounding_of_poses * first_.error_scale(options_.margin).length;
+    return rounding_of_poses * first_.error_scale(of_polyhedra(options_.margin)).length;
 }
 
-/// The least distance at the start, which is one of the local minima.
+/// The least distance of the polyhedra at the start, which is one of the local minima.
 double PieceByPiece::least_distance(const ContactMoment& start, const search::NearFeatures& near) const {
-    double least = near.is_cut ? std::min(near.complete_within, options_.margin) : options_.margin;
+    const double margin = of_polyhedra(options_.margin);
+    double least = near.is_cut ? std::min(near.complete_within, margin) : margin;
     for (const contact::FeaturePair& features : near.pairs)
         least = std::min(least, start.scene().bodies.nearest(features).apart().norm());
     return least;

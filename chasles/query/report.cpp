@@ -200,7 +200,12 @@ std::vector<Contact> ContactMoment::contacts_of(const std::vector<FeaturePair>& 
     return contacts;
 }
 
+/// On the round surfaces, if they are round.
 Contact ContactMoment::in_world(Contact contact) const {
+    const double of_moving = context_.moving().radius(), of_fixed = context_.fixed().radius();
+    if (of_fixed > 0)
+        contact.point += of_fixed * contact.normal;
+    contact.gap -= of_moving + of_fixed;
     contact.point = placed(to_world_, contact.point);
     contact.normal = contact::product(to_world_.linear(), contact.normal);
     contact.approach_speed *= context_.piece().tau_rate(tau_);

@@ -15,7 +15,7 @@ namespace chasles::query {
 struct ReportScope {
     const QueryOptions& options;
     bool is_first_piece = false;
-    double margin = 0; ///< of the search
+    double margin = 0; ///< of the search, between the polyhedra
 };
 
 /// Whether an answer lists the contacts of the first moment, and not only one of them.
@@ -37,7 +37,8 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
 /// The bodies at the lower end of a bracket of tau, for their contacts.
 class ContactMoment {
 public:
-    /// Keeps the context by reference. Features within `margin` are in contact; the bracket is at most `width` wide.
+    /// Keeps the context by reference. Features of the polyhedra within `margin` are in contact; the bracket is at most
+    /// `width` wide.
     ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width);
     /// At the start, with features at which the distance falls by at most these slopes beside them.
     ContactMoment(search::PieceContext& context, double margin, const contact::Slopes& slopes)

@@ -40,7 +40,8 @@ void check_options(const LeastDistanceOptions& options) {
 
 std::string refusal_of(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {
     constexpr double farthest = 1e10;
-    const double size = trajectory.size(), radius = std::max(moving.bvh().radius(), fixed.bvh().radius());
+    const double size = trajectory.size(),
+                 radius = std::max(moving.bvh().radius() + moving.radius(), fixed.bvh().radius() + fixed.radius());
     if (size <= farthest * radius || !trajectory.pieces()->at(0)->enclosure({0, 1}))
         return {};
     return "goes up to " + number_text(size, 3) + " far, more than 1e10 times the radius of the larger body, " +

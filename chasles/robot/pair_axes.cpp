@@ -20,8 +20,7 @@ constexpr double largest_value = 1000;
 /// How far the points of an element are from the origin of its group.
 double group_reach(const Element& element) {
     const Body& body = element.shape.body();
-    return length(placed(element.place.in_double, motion::vector_in<double>(body.bvh().centre()))) +
-           body.vertex_radius();
+    return length(placed(element.place.in_double, motion::vector_in<double>(body.bvh().centre()))) + body.ball_radius();
 }
 
 /// Goes from the points of one link outwards, to the other link.

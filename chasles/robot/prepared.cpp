@@ -24,7 +24,7 @@ Prepared::Extent extent_of(const Element& element) {
     extent.place = element.place.in_double;
     extent.centre = element.shape.body().bvh().centre();
     extent.half = (report.upper - extent.centre).cwiseMax(extent.centre - report.lower);
-    extent.radius = element.shape.body().vertex_radius();
+    extent.radius = element.shape.body().ball_radius();
     extent.size = norm1(extent.place.translation) + extent.centre.lpNorm<1>() + extent.half.lpNorm<1>();
     return extent;
 }
@@ -38,7 +38,7 @@ Prepared::Obstacle obstacle_of(std::size_t index, const Polyhedron& shape, const
     const auto [x, y, z] = placed(pose, motion::vector_in<double>(body.bvh().centre()));
     obstacle.box = scene::swept({body, *motion.frame, true}, 0).box;
     obstacle.centre = {x, y, z};
-    obstacle.radius = body.vertex_radius();
+    obstacle.radius = body.ball_radius();
     obstacle.size = norm1(pose.translation) + body.bvh().centre().lpNorm<1>() + obstacle.radius;
     return obstacle;
 }

@@ -66,6 +66,7 @@ struct RobotFiles {
     /// radius.
     double primitive_deviation = 0.01;
     Solid solid = Solid::automatic; ///< of meshes; primitives are solid
+    double radius = 0;              ///< of every collision shape, in the length unit; see PolyhedronOptions::radius
 };
 
 /// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may
@@ -105,9 +106,9 @@ public:
     /// The poses of all links, in the order of the description.
     [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
     /// The shapes of all links and parts at a configuration as one rigid body, in the world: vertices are rounded to
-    /// doubles, and polygons that rounding bends are cut into triangles. `solid` is about this body, whatever its
-    /// shapes are. Throws InvalidInput for a robot without shapes, and as link_pose.
-    [[nodiscard]] Polyhedron shape(const Configuration& configuration, Solid solid = Solid::automatic) const;
+    /// doubles, and polygons that rounding bends are cut into triangles. The options are about this body, whatever its
+    /// shapes are. Throws InvalidInput for a robot without shapes, for round shapes, and as link_pose.
+    [[nodiscard]] Polyhedron shape(const Configuration& configuration, const PolyhedronOptions& options = {}) const;
 
     /// Where the root link stands in the world.
     void set_base(const Pose& pose);

@@ -22,8 +22,9 @@ public:
     }
 
     [[nodiscard]] bool is_empty() const { return faces_.empty(); }
-    [[nodiscard]] Polyhedron body(Solid solid) const {
-        return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true, .solid = solid});
+    [[nodiscard]] Polyhedron body(PolyhedronOptions options) const {
+        options.triangulate = true;
+        return Polyhedron::from_polygons(vertices_, faces_, options);
     }
 
 private:
@@ -54,12 +55,15 @@ private:
 
 } // namespace
 
-Polyhedron Robot::shape(const Configuration& configuration, Solid solid) const {
+Polyhedron Robot::shape(const Configuration& configuration, const PolyhedronOptions& options) const {
     const std::array ends{configuration, configuration};
     const JointPath path = JointPath::straight(*this, ends);
     const robot::SegmentMotion motion = model_->motion_of(path.segments().front());
     MergedSurface surface;
     for (const robot::Element& element : model_->elements) {
+        if (element.shape.radius() > 0)
+            robot::refuse(model_->description.name,
+                          "has round shapes, which are no surface of faces; leave their radius at 0");
         Eigen::Isometry3d pose = model_->pose_of(motion, element.owner, 0).isometry();
         if (element.owner < model_->description.links.size())
             pose = pose * model_->description.links[element.owner].collisions[element.shape_index].origin.isometry();
@@ -67,7 +71,7 @@ Polyhedron Robot::shape(const Configuration& configuration, Solid solid) const {
     }
     if (surface.is_empty())
         robot::refuse(model_->description.name, "has no collision shapes");
-    return surface.body(solid);
+    return surface.body(options);
 }
 
 } // namespace chasles

@@ -121,16 +121,19 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     const XmlElement* const shape = shapes[0];
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
+    const auto with_radius = [&](const Polyhedron& body) {
+        return files_.radius == 0 ? body : body.with_radius(files_.radius);
+    };
     try {
         if (kind == "mesh")
-            return {mesh(*shape), place};
+            return {with_radius(mesh(*shape)), place};
         if (kind == "box") {
             const EnclosingPolyhedron body = PrimitiveShapes::box(vector(*shape, "size"));
-            return {body.shape, place, body.deviation};
+            return {with_radius(body.shape), place, body.deviation};
         }
         if (kind == "cylinder" || kind == "sphere" || kind == "capsule") {
             const EnclosingPolyhedron body = round_body(*shape);
-            return {body.shape, place, body.deviation};
+            return {with_radius(body.shape), place, body.deviation};
         }
     } catch (const XmlFault&) {
         throw;

@@ -314,7 +314,7 @@ void Stepper::Implementation::move(std::size_t index, const Motion& rest) {
     const Eigen::Isometry3d now = pose(index).isometry(), start = rest.pose_at(0).isometry();
     const Eigen::Vector3d centre = body.bvh().centre();
     const double away =
-        (now * centre - start * centre).norm() + (now.linear() - start.linear()).norm() * body.vertex_radius();
+        (now * centre - start * centre).norm() + (now.linear() - start.linear()).norm() * body.ball_radius();
     if (!(away <= 1e-3 * margins_.least()))
         scene::refuse(name(index), "move: the motion starts " + std::to_string(away) + " away from where the body is");
     Course& course = courses_[index];

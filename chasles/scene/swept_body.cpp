@@ -26,7 +26,7 @@ struct Extent {
     explicit Extent(const WorldBody& body)
         : middle(0.5 * (body.body.report().lower + body.body.report().upper)),
           half(0.5 * (body.body.report().upper - body.body.report().lower)), centre(body.body.bvh().centre()),
-          radius(body.body.vertex_radius()), reference(as_eigen(body.frame.reference())) {}
+          radius(body.body.ball_radius()), reference(as_eigen(body.frame.reference())) {}
 
     Vector3d middle, half; ///< of its box
     Vector3d centre;       ///< of the ball around it

@@ -5,7 +5,7 @@ import { InvalidInput } from "./errors.js";
 import { bindMembers, given, Held } from "./held.js";
 import { fromBufferGeometry, fromObject3D } from "./geometry.js";
 import { addMotion, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
-import { fromArrays, fromFile, Polyhedron } from "./polyhedron.js";
+import { capsule, fromArrays, fromFile, pointsBody, Polyhedron } from "./polyhedron.js";
 import { addPoses } from "./poses.js";
 import { DraggedBody, Scene } from "./scene.js";
 import { checkOptions, number } from "./values.js";
@@ -29,6 +29,15 @@ export class Chasles {
 
   polyhedron(vertices, faces, options = {}) {
     return fromArrays(this.#border, vertices, faces, options);
+  }
+  sphere(radius) {
+    return pointsBody(this.#border, [0, 0, 0], radius);
+  }
+  capsule(radius, length) {
+    return capsule(this.#border, radius, length);
+  }
+  points(points, radius) {
+    return pointsBody(this.#border, points, radius);
   }
   fromFile(content, name, options = {}) {
     return fromFile(this.#border, content, name, options);

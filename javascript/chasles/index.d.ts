@@ -218,6 +218,10 @@ export interface MeshReport {
   solid_parts: number;
   /** That the solid parts enclose; negative if they are turned inwards. */
   volume: number;
+  /** The body is its polyhedron and all points within this distance of it. */
+  radius: number;
+  /** The faces have moved inwards by at most so much: the body has been made with a radius below 0. */
+  moved_inwards: number;
   lower: Point;
   upper: Point;
 }
@@ -227,6 +231,11 @@ export interface BodyOptions {
   triangulate?: boolean | undefined;
   /** Whether the volume that a closed surface encloses belongs to the body: of each closed part ("automatic"), of all ("yes", or the mesh is refused), or of none. */
   solid?: "automatic" | "yes" | "no" | undefined;
+  /**
+   * All points within this distance of the polyhedron belong to the body. Below 0, the faces of a closed body move inwards by at
+   * most so much: an overlap that is allowed. 0 by default.
+   */
+  radius?: number | undefined;
 }
 
 export interface Polyhedron extends Held {}
@@ -483,6 +492,12 @@ export declare class Chasles {
     faces: Numbers | readonly Numbers[],
     options?: BodyOptions,
   ): Polyhedron;
+  /** The sphere about the origin. */
+  sphere(radius: number): Polyhedron;
+  /** All points within `radius` of the segment of this length along z, whose middle is the origin. */
+  capsule(radius: number, length: number): Polyhedron;
+  /** All points within `radius` of some points, as one body: face i is point i. */
+  points(points: Numbers | readonly Numbers[], radius: number): Polyhedron;
   /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
   fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: BodyOptions): Polyhedron;
   /** A body of a geometry of three.js. Vertices at equal places count as one. Where a mesh decides about the shape, `fromObject3D` takes it. */

@@ -36,10 +36,10 @@ export class Polyhedron extends Held {
   /** The arrays that make the same body, with the same ids, in another instance. */
   static copy(body) {
     const given = part(body, "given");
-    const [triangulate, solid, count] = given;
-    const sizes = Uint32Array.from(given.subarray(3, 3 + count));
-    const corners = Uint32Array.from(given.subarray(3 + count));
-    return { vertices: body.vertices, sizes, corners, options: [triangulate, solid] };
+    const [triangulate, solid, radius, count] = given;
+    const sizes = Uint32Array.from(given.subarray(4, 4 + count));
+    const corners = Uint32Array.from(given.subarray(4 + count));
+    return { vertices: body.vertices, sizes, corners, options: [triangulate, solid, radius] };
   }
   static ofCopy(border, { vertices, sizes, corners, options }) {
     border.giveNumbers(vertices);
@@ -55,25 +55,25 @@ function part(body, name) {
 
 const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 
-/** As numbers: whether to triangulate, and what is solid. */
+/** As numbers: whether to triangulate, what is solid, and the radius. */
 function bodyOptions(options) {
-  checkOptions(options, ["triangulate", "solid"]);
-  const { triangulate = false, solid = "automatic" } = options;
+  checkOptions(options, ["triangulate", "solid", "radius"]);
+  const { triangulate = false, solid = "automatic", radius = 0 } = options;
   if (typeof triangulate !== "boolean") throw new InvalidInput("triangulate: must be true or false");
   if (!solids.includes(solid)) throw new InvalidInput('solid: must be "automatic", "yes" or "no"');
-  return [triangulate ? 1 : 0, solids.indexOf(solid)];
+  return [triangulate ? 1 : 0, solids.indexOf(solid), number(radius, "radius")];
 }
 
 /** Points as one array of numbers: a typed array, or an array of numbers or of points. */
-function flatPoints(vertices) {
-  if (!isList(vertices)) throw new InvalidInput("vertices: must be an array of numbers or of points");
+function flatPoints(vertices, name = "vertices") {
+  if (!isList(vertices)) throw new InvalidInput(`${name}: must be an array of numbers or of points`);
   if (ArrayBuffer.isView(vertices)) return Float64Array.from(vertices, Number);
-  if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `vertices[${i}]`));
+  if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `${name}[${i}]`));
   const numbers = new Float64Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) {
     const point = vertices[i]; // by index: forEach leaves out the holes of an array
-    if (!isList(point) || point.length !== 3) throw new InvalidInput(`vertices[${i}]: is no point of 3 numbers${wayOut(point)}`);
-    for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `vertices[${i}][${k}]`);
+    if (!isList(point) || point.length !== 3) throw new InvalidInput(`${name}[${i}]: is no point of 3 numbers${wayOut(point)}`);
+    for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `${name}[${i}][${k}]`);
   }
   return numbers;
 }
@@ -109,6 +109,22 @@ function polygonFaces(faces) {
 export function fromArrays(border, vertices, faces, options) {
   const numbers = bodyOptions(options);
   return Polyhedron.ofCopy(border, { vertices: flatPoints(vertices), ...flatFaces(faces), options: numbers });
+}
+
+function positive(value, name) {
+  if (!(number(value, name) > 0)) throw new InvalidInput(`${name}: must be positive, and is ${String(value)}`);
+  return value;
+}
+
+export function pointsBody(border, points, radius) {
+  const vertices = flatPoints(points, "points");
+  const corners = Uint32Array.from({ length: vertices.length }, (_, i) => Math.floor(i / 3));
+  return fromArrays(border, vertices, corners, { radius: positive(radius, "radius") });
+}
+
+export function capsule(border, radius, length) {
+  const half = positive(length, "length") / 2;
+  return fromArrays(border, [0, 0, -half, 0, 0, half], [0, 1, 1], { radius: positive(radius, "radius") });
 }
 
 export function fromFile(border, content, name, options) {

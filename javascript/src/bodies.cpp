@@ -53,10 +53,10 @@ bool has_given_ids(const Polyhedron& polyhedron) {
     return polyhedron.report().dropped_faces == 0;
 }
 
-PolyhedronOptions options_of(std::int32_t triangulate, std::int32_t solid) {
+PolyhedronOptions options_of(std::int32_t triangulate, std::int32_t solid, double radius) {
     if (solid < 0 || solid > std::int32_t(Solid::no))
         throw InvalidInput("solid: must be 'automatic', 'yes' or 'no'");
-    return {.triangulate = triangulate != 0, .solid = Solid(solid)};
+    return {.triangulate = triangulate != 0, .solid = Solid(solid), .radius = radius};
 }
 
 HeldBody held(Polyhedron shape, const PolyhedronOptions& options, FlatLists<std::uint32_t> faces) {
@@ -93,7 +93,8 @@ void write_report(Numbers& out, const MeshReport& report) {
     out.push_back(report.closed ? 1 : 0);
     for (const std::size_t count : {report.unpaired_edges, report.parts, report.solid_parts})
         out.push_back(double(count));
-    out.push_back(report.volume);
+    for (const double number : {report.volume, report.radius, report.moved_inwards})
+        out.push_back(number);
     write(out, report.lower);
     write(out, report.upper);
 }
@@ -146,8 +147,9 @@ void write_part(Numbers& out, const HeldBody& body, Part part) {
     }
     const bool is_as_given = body.given_faces.size() == 0;
     const FlatLists<std::uint32_t> faces = is_as_given ? outlines_of(body.shape) : body.given_faces;
-    out.push_back(body.options.triangulate ? 1 : 0);
+    out.push_back(body.options.triangulate || body.options.radius < 0 ? 1 : 0); // as the moved faces were
     out.push_back(double(body.options.solid));
+    out.push_back(body.shape.radius());
     out.push_back(double(faces.size()));
     write_lists(out, faces);
 }
@@ -158,15 +160,16 @@ void write_part(Numbers& out, const HeldBody& body, Part part) {
 namespace js = chasles::javascript;
 
 /// A body of the points in the numbers and the faces in the bytes. Returns its handle.
-CHASLES_JAVASCRIPT(body_from_arrays)(std::uint32_t face_count, std::int32_t triangulate, std::int32_t solid) {
+CHASLES_JAVASCRIPT(body_from_arrays)(std::uint32_t face_count, std::int32_t triangulate, std::int32_t solid,
+                                     double radius) {
     return js::guarded(
-        [&] { return js::bodies().add(js::body_from_arrays(face_count, js::options_of(triangulate, solid))); });
+        [&] { return js::bodies().add(js::body_from_arrays(face_count, js::options_of(triangulate, solid, radius))); });
 }
 
 /// A body of a mesh file: the bytes are its name and its content. Returns its handle.
-CHASLES_JAVASCRIPT(body_from_file)(std::uint32_t name_size, std::int32_t triangulate, std::int32_t solid) {
+CHASLES_JAVASCRIPT(body_from_file)(std::uint32_t name_size, std::int32_t triangulate, std::int32_t solid, double radius) {
     return js::guarded(
-        [&] { return js::bodies().add(js::body_from_file(name_size, js::options_of(triangulate, solid))); });
+        [&] { return js::bodies().add(js::body_from_file(name_size, js::options_of(triangulate, solid, radius))); });
 }
 
 /// Answers with a part of a body.

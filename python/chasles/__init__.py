@@ -51,14 +51,17 @@ from ._core import (
     UntestedPairs,
     Work,
     __version__,
+    capsule,
     constraint_rows,
     first_contact,
     first_contact_on_path,
     least_distance,
     load,
     load_parts,
+    points,
     relative,
     rest_of,
+    sphere,
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .collision import CollisionManager
@@ -116,6 +119,7 @@ __all__ = [
     "Verdict",
     "Work",
     "__version__",
+    "capsule",
     "constraint_rows",
     "edge_dtype",
     "empty_table",
@@ -133,9 +137,11 @@ __all__ = [
     "parts_from_trimesh",
     "path_dtype",
     "path_is_clear_batch",
+    "points",
     "recording_page",
     "relative",
     "rest_of",
+    "sphere",
     "view",
     "write_robot_page",
 ]

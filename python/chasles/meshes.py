@@ -9,7 +9,9 @@ from ._core import InvalidInput, Polyhedron
 from .articles import with_article
 
 
-def from_trimesh(mesh: Any, *, triangulate: bool = False, threads: int = 0, solid: str = "automatic") -> Polyhedron:
+def from_trimesh(
+    mesh: Any, *, triangulate: bool = False, threads: int = 0, solid: str = "automatic", radius: float = 0.0
+) -> Polyhedron:
     """A polyhedron from a ``trimesh.Trimesh``. It keeps the ids of the vertices and faces.
 
     Scenes and other geometry raise InvalidInput. `parts_from_trimesh` gives the parts of a scene, and
@@ -19,11 +21,11 @@ def from_trimesh(mesh: Any, *, triangulate: bool = False, threads: int = 0, soli
     if vertices is None or faces is None:
         way_out = "parts_from_trimesh gives its parts" if hasattr(mesh, "graph") else "a trimesh.Trimesh is needed"
         raise InvalidInput(f"mesh: {with_article(mesh)} has no vertices and faces; {way_out}")
-    return Polyhedron(vertices, faces, triangulate=triangulate, threads=threads, solid=solid)
+    return Polyhedron(vertices, faces, triangulate=triangulate, threads=threads, solid=solid, radius=radius)
 
 
 def parts_from_trimesh(
-    scene: Any, *, triangulate: bool = False, threads: int = 0, solid: str = "automatic"
+    scene: Any, *, triangulate: bool = False, threads: int = 0, solid: str = "automatic", radius: float = 0.0
 ) -> dict[str, Polyhedron]:
     """The parts of a ``trimesh.Scene``: a polyhedron for each node of its graph that has a mesh, by the node's name.
 
@@ -43,7 +45,7 @@ def parts_from_trimesh(
         matrix, name = scene.graph[node]
         try:
             mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
-            parts[names[node]] = Polyhedron(*mesh, triangulate=triangulate, threads=threads, solid=solid)
+            parts[names[node]] = Polyhedron(*mesh, triangulate=triangulate, threads=threads, solid=solid, radius=radius)
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None
     return parts

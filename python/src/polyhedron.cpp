@@ -1,6 +1,7 @@
 // chasles.Polyhedron: from arrays, from files, and back to arrays.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
+#include "chasles/mesh/primitives.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
 #include "python/src/body.h"
@@ -30,37 +31,67 @@ bool has_given_ids(const Polyhedron& polyhedron) {
     return polyhedron.report().dropped_faces == 0;
 }
 
-Body body_from(nb::handle vertices, nb::handle faces, const PolyhedronOptions& options) {
-    const DoubleArray points(vertices, "vertices");
-    if (points.shape().size() != 2 || points.shape()[1] != 3)
-        throw InvalidInput("vertices: the shape is " + points.shape_text() +
-                           "; points have (n, 3), as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
-    const FaceLists outlines(faces);
-    const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
-                          points.numbers().size() / 3);
+/// The options for a copy: moved faces are not moved once more.
+PolyhedronOptions kept(PolyhedronOptions options) {
+    options.triangulate = options.triangulate || options.radius < 0;
+    return options;
+}
+
+/// Points of the shape (n, 3).
+class Points {
+public:
+    Points(nb::handle argument, const char* name) : array_(argument, name) {
+        if (array_.shape().size() != 2 || array_.shape()[1] != 3)
+            throw InvalidInput(std::string(name) + ": the shape is " + array_.shape_text() +
+                               "; points have (n, 3), as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
+    }
+    [[nodiscard]] std::span<const Eigen::Vector3d> span() const {
+        return {reinterpret_cast<const Eigen::Vector3d*>(array_.numbers().data()), array_.numbers().size() / 3};
+    }
+
+private:
+    DoubleArray array_;
+};
+
+Body points(nb::handle argument, double radius) {
+    const Points given(argument, "points");
     const WithoutGil without_gil;
-    Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, options};
+    return {make_points(given.span(), radius), nullptr, {}};
+}
+
+template <auto Make, class... Lengths>
+Body made(Lengths... lengths) {
+    return {Make(lengths...), nullptr, {}};
+}
+
+Body body_from(nb::handle vertices, nb::handle faces, const PolyhedronOptions& options) {
+    const Points points(vertices, "vertices");
+    const FaceLists outlines(faces);
+    const std::span given = points.span();
+    const WithoutGil without_gil;
+    Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, kept(options)};
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(outlines.copies());
     return body;
 }
 
-Body load(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid) {
-    const PolyhedronOptions options{triangulate, threads, solid_from(solid)};
+Body load(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid, double radius) {
+    const PolyhedronOptions options{triangulate, threads, solid_from(solid), radius};
     const WithoutGil without_gil;
-    Body body{Polyhedron::load(file, options), nullptr, options};
+    Body body{Polyhedron::load(file, options), nullptr, kept(options)};
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
     return body;
 }
 
-nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid) {
-    const PolyhedronOptions options{triangulate, threads, solid_from(solid)};
+nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid,
+                    double radius) {
+    const PolyhedronOptions options{triangulate, threads, solid_from(solid), radius};
     std::vector<std::pair<std::string, Body>> bodies;
     {
         const WithoutGil without_gil;
         for (io::MeshPart& part : io::load_mesh_parts(file)) {
-            Body body{io::body_of(file, part, options), nullptr, options};
+            Body body{io::body_of(file, part, options), nullptr, kept(options)};
             if (!has_given_ids(body.polyhedron))
                 body.given_faces = std::make_shared<Faces>(std::move(part.polygons.faces));
             bodies.emplace_back(part.name, std::move(body));
@@ -131,7 +162,7 @@ nb::tuple reduce(nb::handle self) {
         body.polyhedron.report().solid_parts > 0 ? Solid::automatic : Solid::no; // also of a robot's shape
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
     return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
-                                                      body.options.threads, name_of(solid)));
+                                                      body.options.threads, name_of(solid), body.polyhedron.radius()));
 }
 
 std::string repr(const Body& body) {
@@ -162,6 +193,8 @@ void bind_report(nb::module_& module) {
         .def_ro("parts", &MeshReport::parts, doc("MeshReport.parts"))
         .def_ro("solid_parts", &MeshReport::solid_parts, doc("MeshReport.solid_parts"))
         .def_ro("volume", &MeshReport::volume, doc("MeshReport.volume"))
+        .def_ro("radius", &MeshReport::radius, doc("MeshReport.radius"))
+        .def_ro("moved_inwards", &MeshReport::moved_inwards, doc("MeshReport.moved_inwards"))
         .def("__repr__", repr_of_report);
 }
 
@@ -173,7 +206,7 @@ const std::string& constructor_doc() {
         "triangulate : bool\n" +
         indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" +
         indented(doc("PolyhedronOptions.threads")) + "solid : str\n    'automatic', 'yes' or 'no':\n" +
-        indented(doc("Solid"));
+        indented(doc("Solid")) + "radius : float\n" + indented(doc("PolyhedronOptions.radius"));
     return text;
 }
 
@@ -184,15 +217,16 @@ void bind_polyhedron(nb::module_& module) {
     nb::class_<Body>(module, "Polyhedron", doc("Polyhedron"))
         .def(
             "__init__",
-            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, unsigned threads,
-               nb::handle solid) {
-                new (self) Body(body_from(points, outlines, {triangulate, threads, solid_from(solid)}));
+            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, unsigned threads, nb::handle solid,
+               double radius) {
+                new (self) Body(body_from(points, outlines, {triangulate, threads, solid_from(solid), radius}));
             },
             "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false, "threads"_a = 0,
-            "solid"_a.none() = "automatic",
+            "solid"_a.none() = "automatic", "radius"_a = 0.0,
             nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
                     "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
-                    "triangulate: bool = False, threads: int = 0, solid: str = 'automatic') -> None"),
+                    "triangulate: bool = False, threads: int = 0, solid: str = 'automatic', radius: float = 0.0) -> "
+                    "None"),
             constructor_doc().c_str())
         .def_prop_ro("vertices", vertices, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
                      doc("Polyhedron.vertices"))
@@ -206,17 +240,32 @@ void bind_polyhedron(nb::module_& module) {
                      "one than the\n"
                      "index in `faces` only where faces without area were dropped or polygons were cut.")
         .def_prop_ro(
+            "radius", [](const Body& body) { return body.polyhedron.radius(); }, doc("Polyhedron.radius"))
+        .def(
+            "with_radius",
+            [](const Body& body, double radius) {
+                return Body{body.polyhedron.with_radius(radius), body.given_faces, {.triangulate = true}};
+            },
+            "radius"_a, nb::sig("def with_radius(self, radius: float) -> Polyhedron"), doc("Polyhedron.with_radius"))
+        .def_prop_ro(
             "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
         .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
         .def("__repr__", repr);
+    module.def("sphere", made<make_sphere, double>, "radius"_a, nb::sig("def sphere(radius: float) -> Polyhedron"),
+               doc("make_sphere"));
+    module.def("capsule", made<make_capsule, double, double>, "radius"_a, "length"_a,
+               nb::sig("def capsule(radius: float, length: float) -> Polyhedron"), doc("make_capsule"));
+    module.def("points", points, "points"_a.none(), "radius"_a,
+               nb::sig("def points(points: numpy.typing.ArrayLike, radius: float) -> Polyhedron"), doc("make_points"));
     module.def("load", load, "file"_a, "triangulate"_a = false, "threads"_a = 0, "solid"_a.none() = "automatic",
+               "radius"_a = 0.0,
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "threads: int = 0, solid: str = 'automatic') -> Polyhedron"),
+                       "threads: int = 0, solid: str = 'automatic', radius: float = 0.0) -> Polyhedron"),
                doc("Polyhedron.load"));
     module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "threads"_a = 0,
-               "solid"_a.none() = "automatic",
+               "solid"_a.none() = "automatic", "radius"_a = 0.0,
                nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "threads: int = 0, solid: str = 'automatic') -> dict[str, Polyhedron]"),
+                       "threads: int = 0, solid: str = 'automatic', radius: float = 0.0) -> dict[str, Polyhedron]"),
                doc("load_parts"));
 }
 

@@ -29,9 +29,9 @@ using namespace nb::literals;
 
 PythonRobot load(const std::filesystem::path& urdf, const std::optional<std::filesystem::path>& srdf,
                  const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation,
-                 nb::handle solid) {
-    return {
-        Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation, solid_from(solid)})};
+                 nb::handle solid, double radius) {
+    return {Robot::load(
+        urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation, solid_from(solid), radius})};
 }
 
 nb::object limits_of(const PythonRobot& robot) {
@@ -183,10 +183,10 @@ void bind_robot(nb::module_& module) {
     nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
-                    "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic",
+                    "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic", "radius"_a = 0.0,
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "
                             "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01, "
-                            "solid: str = 'automatic') -> Robot"),
+                            "solid: str = 'automatic', radius: float = 0.0) -> Robot"),
                     doc("Robot.load"))
         .def_prop_ro(
             "name", [](const PythonRobot& r) { return r.description().name; }, "Of the URDF file.")
@@ -219,16 +219,16 @@ void bind_robot(nb::module_& module) {
             doc("Robot.warnings_about"))
         .def(
             "shape",
-            [](const PythonRobot& r, nb::handle configuration, nb::handle solid) {
+            [](const PythonRobot& r, nb::handle configuration, nb::handle solid, double radius) {
                 return Body{
                     r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration"),
-                            solid_from(solid)),
+                            {.solid = solid_from(solid), .radius = radius}),
                     nullptr,
-                    {}};
+                    {.triangulate = true}};
             },
-            "configuration"_a = nb::none(), "solid"_a.none() = "automatic",
-            nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None, solid: str = 'automatic') "
-                    "-> Polyhedron"),
+            "configuration"_a = nb::none(), "solid"_a.none() = "automatic", "radius"_a = 0.0,
+            nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None, solid: str = 'automatic', "
+                    "radius: float = 0.0) -> Polyhedron"),
             doc("Robot.shape"))
         .def("collisions", collisions_of, "link"_a,
              nb::sig("def collisions(self, link: str) -> list[tuple[Polyhedron, " CHASLES_ARRAY ", float]]"),
