@@ -41,6 +41,8 @@ view::Json body_json(const Polyhedron& body) {
             {"surface_parts", mesh.parts},
             {"solid_parts", mesh.solid_parts},
             {"volume", mesh.volume},
+            {"radius", mesh.radius},
+            {"moved_inwards", mesh.moved_inwards},
             {"bounding_box", {{"lower", view::vector_json(mesh.lower)}, {"upper", view::vector_json(mesh.upper)}}},
             {"hierarchy", {{"nodes", mesh.bvh_nodes}, {"depth", mesh.bvh_depth}, {"bytes", mesh.bvh_bytes}}},
             {"bytes", body.memory()}};
@@ -81,6 +83,10 @@ std::string body_report(const std::string& name, const Polyhedron& body, Solid s
     text += labelled("edges", fmt::format("{}, {} with one face, {} with more than two", mesh.edges,
                                           mesh.boundary_edges, mesh.nonmanifold_edges));
     text += labelled("solid", solid_text(mesh, solid));
+    if (mesh.radius > 0)
+        text += labelled("radius", fmt::format("{:.9g}: all points within it belong to the body", mesh.radius));
+    if (mesh.moved_inwards > 0)
+        text += labelled("radius", fmt::format("{:.9g}: faces have moved inwards", -mesh.moved_inwards));
     text += labelled("box", vector_text(mesh.lower) + " to " + vector_text(mesh.upper));
     text += labelled("size", vector_text(mesh.upper - mesh.lower));
     return text + labelled("hierarchy", fmt::format("{} boxes, {} deep; {} bytes with the topology", mesh.bvh_nodes,

@@ -210,12 +210,16 @@ std::string naming_motion(const std::string& text, std::string_view motion) {
     return fmt::format("{}; motion: {}\n", io::one_line(text), motion);
 }
 
-std::string hold_line(const FirstContact& found, const std::optional<double>& hold) {
-    if (!hold || found.verdict != Verdict::contact_at_start || found.inside)
+std::string way_out_line(const FirstContact& found, const QueryOptions& options) {
+    const bool passes_through = found.overlap && found.overlap->certain;
+    if (found.verdict != Verdict::contact_at_start || found.inside || passes_through)
         return {};
-    return labelled("hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than "
-                                        "{:.9g}",
-                                        *hold));
+    if (options.hold)
+        return labelled(
+            "hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than {:.9g}, "
+                                "or allow an overlap by a radius below 0",
+                                *options.hold));
+    return options.margin > 0 ? "" : labelled("way out", "bodies that touch by design may have a radius below 0");
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
@@ -257,7 +261,7 @@ std::string report_contact(const FirstContact& found, double margin, const std::
 
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options) {
     return headline(found, options.margin, view::name_of(motion.kind), options.hold) +
-           details(found, motion, options.margin, view::why_uncertain(found)) + hold_line(found, options.hold);
+           details(found, motion, options.margin, view::why_uncertain(found)) + way_out_line(found, options);
 }
 
 std::string report_least(const LeastDistance& found) {

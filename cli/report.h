@@ -31,8 +31,8 @@ std::string headline(const LeastDistance& found, std::string_view motion);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
                     const std::string& why_uncertain);
 
-/// The line after a contact at the start in spite of `hold`, which acts on bodies with a gap. Empty for other answers.
-std::string hold_line(const FirstContact& found, const std::optional<double>& hold);
+/// The line after a contact at the start of bodies that touch: how to let them. Empty for other answers.
+std::string way_out_line(const FirstContact& found, const QueryOptions& options);
 
 /// One line "  label     text". All lines are aligned.
 std::string labelled(const std::string& label, const std::string& text);

@@ -81,7 +81,7 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
                        labelled("pair", pair_of(scene, first)) +
                        report_contact(first.contact, margin, view::why_uncertain(first.contact)) +
-                       hold_line(first.contact, query.options.hold);
+                       way_out_line(first.contact, query.options);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);

@@ -44,7 +44,7 @@ int run_view(const ViewOptions& options) {
                            .fixed_name = fixed_name}));
     file.close();
     print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
-          hold_line(found, question.options.hold) + labelled("page", options.out));
+          way_out_line(found, question.options) + labelled("page", options.out));
     return status_of(found.verdict);
 }
 

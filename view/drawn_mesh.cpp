@@ -1,6 +1,8 @@
 // The surface is drawn as triangles. Lines are drawn only along edges of the body, never along the diagonals of a face.
 #include "view/drawn_mesh.h"
 
+#include "view/round_surface.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +75,10 @@ DrawnMesh drawn_mesh(const Polyhedron& body) {
     for (const Eigen::Vector3d& vertex : body.vertices()) {
         const Eigen::Vector3f about_origin = (vertex - drawn.origin).cast<float>();
         drawn.vertices.push_back({about_origin.x(), about_origin.y(), about_origin.z()});
+    }
+    if (body.radius() > 0) {
+        add_round_surface(drawn, body);
+        return drawn;
     }
     for (std::size_t face = 0; face < body.face_count(); ++face)
         for (const Triangle& triangle : body.triangles(face))

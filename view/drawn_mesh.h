@@ -13,7 +13,7 @@ namespace chasles::view {
 /// of its frame therefore keeps its shape.
 struct DrawnMesh {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< centre of the body's bounding box, in the body's frame
-    std::vector<std::array<float, 3>> vertices;       ///< the body's vertices minus the origin
+    std::vector<std::array<float, 3>> vertices; ///< the body's vertices minus the origin, then those of a round surface
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<std::uint32_t, 2>> creases; ///< edges where the surface ends or turns sharply
 };

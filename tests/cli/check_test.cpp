@@ -72,7 +72,8 @@ TEST_F(Check, HoldNeedsAGapAndSaysSo) {
     const std::string poses = "--start '0 0 1' --goal '0.5 0 1' --margin 0.1 --hold 0.02";
     EXPECT_EQ(json(poses)["verdict"], "contact_at_start") << "the cubes touch";
     const std::string line =
-        "\n  hold      needs a gap above 0 at the start; move the bodies apart by a little more than 0.02\n";
+        "\n  hold      needs a gap above 0 at the start; move the bodies apart by a little more than 0.02, or allow an "
+        "overlap by a radius below 0\n";
     EXPECT_NE(check(poses).out.find(line), std::string::npos) << check(poses).out;
     EXPECT_EQ(json("--start '0 0 1.021' --goal '0.5 0 1.021' --margin 0.1 --hold 0.02")["verdict"], "clear");
     EXPECT_EQ(check("--start '0 0 1' --goal '0.5 0 1' --margin 0.1").out.find("hold"), std::string::npos);

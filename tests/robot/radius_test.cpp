@@ -1,0 +1,82 @@
+// Round links and obstacles: culling of robots knows their radii, and URDF files may be given one.
+#include "chasles/mesh/primitives.h"
+#include "chasles/robot/robot.h"
+#include "tests/support/random_poses.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+Configuration at(double angle) {
+    return Configuration::Constant(1, angle);
+}
+
+/// A shape on an arm of this length that turns about z, and another one on the base.
+Robot arm(const Polyhedron& shape, double length, const Polyhedron& on_base, const Pose& on_base_at) {
+    RobotDescription robot{"arm"};
+    Pose place;
+    place.translation.x() = length;
+    robot.links = {{"base", {{on_base, on_base_at}}}, {"between", {}}, {"arm", {{shape, place}}}};
+    JointDescription fixed{"fixed", JointType::fixed, "base", "between"};
+    JointDescription turn{"turn", JointType::revolute, "between", "arm"};
+    turn.axis = Eigen::Vector3d::UnitZ();
+    turn.lower = -4;
+    turn.upper = 4;
+    robot.joints = {fixed, turn};
+    return Robot(robot);
+}
+
+TEST(RoundLinks, MeetObstaclesAtTheAngleOfTheClosedForm) {
+    const Pose away({0, 0, 9}, Eigen::Quaterniond::Identity());
+    const Robot robot = arm(make_sphere(0.3), 2, make_sphere(0.1), away);
+    for (const double radius : {0.01, 0.2, 1.0}) {
+        Scene scene;
+        scene.add({"ball", make_sphere(radius), Motion::at_rest(Pose({0, 2, 0}, Eigen::Quaterniond::Identity()))});
+        const RobotChecker checker(robot, &scene);
+        const double reach = radius + 0.3; // a chord of the circle of radius 2
+        const double angle = std::numbers::pi / 2 - 2 * std::asin(reach / 4);
+        const RobotAnswer found = checker.first_contact(at(0), at(3));
+        ASSERT_EQ(found.verdict, Verdict::contact);
+        EXPECT_NEAR(found.contact.time.lower, angle / 3, 1e-11);
+        EXPECT_TRUE(checker.is_clear(at(0), at(angle - 1e-9)));
+        EXPECT_FALSE(checker.is_clear(at(0), at(angle + 1e-9)));
+        const double least = 2 * std::sqrt(2.0) - reach;
+        EXPECT_NEAR(checker.least_distance(at(0), at(0)).distance.upper, least, 1e-5 * least);
+    }
+}
+
+TEST(RoundLinks, AnswerAsLinksWithALargerMargin) {
+    Random random(4413);
+    int contacts = 0, clear = 0;
+    for (int round = 0; round < 200; ++round) {
+        const auto box = [&] {
+            return make_box({random.uniform(0.1, 0.8), random.uniform(0.1, 0.8), random.uniform(0.1, 0.8)});
+        };
+        const Polyhedron moving = box(), fixed = box(), obstacle = box();
+        const Pose fixed_at = random_pose(random, 2), obstacle_at = random_pose(random, 2);
+        const double a = random.integer(0, 16) * 0x1p-6;
+        const auto answer = [&](double radius, double margin) {
+            Scene scene;
+            scene.add({"obstacle", obstacle.with_radius(radius), Motion::at_rest(obstacle_at)});
+            const Robot robot = arm(moving.with_radius(radius), 1, fixed.with_radius(radius), fixed_at);
+            return RobotChecker(robot, &scene, {.options = {.margin = margin}}).first_contact(at(0), at(3));
+        };
+        const RobotAnswer round_bodies = answer(a, 0x1p-6), plain = answer(0, 0x1p-6 + 2 * a);
+        ASSERT_EQ(round_bodies.verdict, plain.verdict) << round;
+        EXPECT_EQ(round_bodies.contact.time.lower, plain.contact.time.lower) << round;
+        ++(plain.verdict == Verdict::clear ? clear : contacts);
+    }
+    EXPECT_GT(contacts, 20);
+    EXPECT_GT(clear, 20);
+}
+
+TEST(RoundLinks, HaveNoShapeAsOneSurface) {
+    const Robot robot = arm(make_sphere(0.3), 2, make_box({1, 1, 1}), Pose());
+    EXPECT_NE(refusal([&] { (void)robot.shape(at(0)); }).find("has round shapes"), std::string::npos);
+}
+
+} // namespace
+} // namespace chasles::test

@@ -1,0 +1,107 @@
+#include "view/round_surface.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace chasles::view {
+namespace {
+
+using Eigen::Vector3d;
+using Ids = std::array<std::uint32_t, 2>;
+
+/// More vertices than this have balls of eight triangles.
+constexpr std::size_t few = 1'000;
+/// So many balls are drawn at most.
+constexpr std::size_t most = 20'000;
+
+class RoundSurface {
+public:
+    RoundSurface(DrawnMesh& drawn, const Polyhedron& body) : drawn_(drawn), body_(body), radius_(body.radius()) {
+        for (std::size_t face = 0; face < body.face_count(); ++face) {
+            const auto outline = body.face(face);
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                const std::uint32_t from = outline[i], to = outline[(i + 1) % outline.size()];
+                vertices_.insert(from);
+                if (from != to)
+                    edges_.insert({std::min(from, to), std::max(from, to)});
+            }
+        }
+    }
+
+    void add() {
+        const int sides = vertices_.size() <= few ? 24 : 4;
+        const std::size_t step = 1 + vertices_.size() / most;
+        std::size_t index = 0;
+        for (const std::uint32_t vertex : vertices_)
+            if (index++ % step == 0)
+                add_rings(place(vertex), Vector3d::Zero(), sides);
+        for (const auto& [from, to] : edges_)
+            if (vertices_.size() <= most)
+                add_rings(place(from), place(to) - place(from), sides);
+        for (std::size_t face = 0; face < body_.face_count(); ++face)
+            for (const auto& triangle : body_.triangles(face))
+                add_both_sides(triangle);
+    }
+
+private:
+    [[nodiscard]] Vector3d place(std::uint32_t vertex) const { return body_.vertices()[vertex] - drawn_.origin; }
+
+    std::uint32_t add_vertex(const Vector3d& point) {
+        const Eigen::Vector3f rounded = point.cast<float>();
+        drawn_.vertices.push_back({rounded.x(), rounded.y(), rounded.z()});
+        return std::uint32_t(drawn_.vertices.size() - 1);
+    }
+
+    /// A ball about a point, or a tube along a way: rings of corners, joined by triangles.
+    void add_rings(const Vector3d& from, const Vector3d& way, int sides) {
+        const bool is_ball = way.isZero(0);
+        const Vector3d axis = is_ball ? Vector3d(Vector3d::UnitZ()) : way.normalized();
+        const Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
+        const int rings = is_ball ? sides / 2 : 1;
+        const auto corner = [&](int ring, int side) -> Vector3d {
+            const double around = 2 * std::numbers::pi * side / sides;
+            const double up = is_ball ? std::numbers::pi * ring / rings : std::numbers::pi / 2;
+            const Vector3d out = std::cos(around) * across + std::sin(around) * third;
+            return from + (is_ball ? 0.0 : double(ring)) * way + radius_ * (std::sin(up) * out - std::cos(up) * axis);
+        };
+        const auto first = std::uint32_t(drawn_.vertices.size()), n = std::uint32_t(sides);
+        for (int ring = 0; ring <= rings; ++ring)
+            for (int side = 0; side < sides; ++side)
+                add_vertex(corner(ring, side));
+        for (std::uint32_t ring = 0; ring < std::uint32_t(rings); ++ring)
+            for (std::uint32_t side = 0; side < n; ++side) {
+                const std::uint32_t a = first + ring * n + side, b = first + ring * n + (side + 1) % n;
+                drawn_.triangles.push_back({a, b, b + n});
+                drawn_.triangles.push_back({a, b + n, a + n});
+            }
+    }
+
+    void add_both_sides(const std::array<std::uint32_t, 3>& triangle) {
+        const Vector3d a = place(triangle[0]), b = place(triangle[1]), c = place(triangle[2]);
+        const Vector3d normal = (b - a).cross(c - a).stableNormalized();
+        if (normal.isZero(0))
+            return;
+        const Vector3d out = radius_ * normal;
+        const std::uint32_t first = add_vertex(a + out);
+        for (const Vector3d& corner :
+             {Vector3d(b + out), Vector3d(c + out), Vector3d(a - out), Vector3d(b - out), Vector3d(c - out)})
+            add_vertex(corner);
+        drawn_.triangles.push_back({first, first + 1, first + 2});
+        drawn_.triangles.push_back({first + 3, first + 5, first + 4});
+    }
+
+    DrawnMesh& drawn_;
+    const Polyhedron& body_;
+    double radius_;
+    std::set<std::uint32_t> vertices_;
+    std::set<Ids> edges_;
+};
+
+} // namespace
+
+void add_round_surface(DrawnMesh& drawn, const Polyhedron& body) {
+    RoundSurface(drawn, body).add();
+}
+
+} // namespace chasles::view
