@@ -99,7 +99,10 @@ FirstContact PieceByPiece::run() {
     if (!nested)
         return run_on_surfaces();
     const FirstContact met = run_within(of_polyhedra(0), true, 0);
-    return met.verdict == Verdict::contact_at_start ? run_on_surfaces() : inside_at_start(*nested, met.work);
+    if (met.verdict != Verdict::contact_at_start)
+        return inside_at_start(*nested, met.work);
+    const bool is_answer = met.certain && options_.margin == 0; // nothing else is asked for
+    return is_answer ? met : run_on_surfaces();
 }
 
 FirstContact PieceByPiece::run_on_surfaces() {

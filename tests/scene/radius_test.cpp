@@ -109,7 +109,7 @@ TEST(RoundBodiesInScenes, LeastDistancesAreThoseOfRoundBodies) {
                 least = std::min(least, (balls[a].first - balls[b].first).norm() - balls[a].second - balls[b].second);
         if (least < 0.01)
             continue;
-        const NearestPair found = nearest_pair(scene, {});
+        const chasles::scene::NearestPair found = chasles::scene::nearest_pair(scene, {});
         EXPECT_LE(found.nearest.distance.lower, least * (1 + 1e-12));
         EXPECT_GE(found.nearest.distance.upper, least * (1 - 1e-12));
     }
