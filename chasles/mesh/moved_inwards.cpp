@@ -92,14 +92,23 @@ void require_closed(const Body& body, double distance) {
                            " edges; mend the mesh, or leave its radius at 0");
 }
 
-/// A face that has no room to move.
+/// Whether an edge points the other way, or the face itself: there is no room to move.
+bool is_turned(std::span<const std::uint32_t> outline, std::span<const Vector3d> before,
+               std::span<const Vector3d> after, const Vector3d& normal) {
+    Vector3d area = Vector3d::Zero();
+    for (std::size_t i = 2; i < outline.size(); ++i)
+        area += (after[outline[i - 1]] - after[outline[0]]).cross(after[outline[i]] - after[outline[0]]);
+    if (!(area.dot(normal) > 0))
+        return true;
+    for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++)
+        if (!((after[outline[i]] - after[outline[last]]).dot(before[outline[i]] - before[outline[last]]) > 0))
+            return true;
+    return false;
+}
+
 void require_turned_alike(const Body& body, std::span<const Vector3d> moved, double distance) {
     for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-        const auto outline = body.face(face);
-        Vector3d area = Vector3d::Zero();
-        for (std::size_t i = 2; i < outline.size(); ++i)
-            area += (moved[outline[i - 1]] - moved[outline[0]]).cross(moved[outline[i]] - moved[outline[0]]);
-        if (!(area.dot(face_normal(body, face).unit) > 0))
+        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face).unit))
             throw InvalidInput("mesh: radius: " + number_text(-distance) + " turns face " +
                                std::to_string(body.source_face(face)) +
                                " over, because the body is too thin there; a radius nearer to 0 may do");
