@@ -21,9 +21,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::initializer_list<const char*> body_keys = {"name",  "mesh",  "part",   "urdf",   "scale",
-                                                          "pose",  "goal",  "motion", "centre", "poses",
-                                                          "group", "solid", "radius", "sphere", "capsule"};
+constexpr std::initializer_list<const char*> body_keys = {"name",   "mesh",   "part",    "urdf",  "scale", "pose",
+                                                          "goal",   "motion", "centre",  "poses", "group", "solid",
+                                                          "radius", "sphere", "capsule", "points"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
@@ -188,25 +188,32 @@ void require_none_of(std::initializer_list<const char*> members, const Members& 
             refuse(std::string(member) + ": goes with " + of + ", and the body has a " + kind);
 }
 
-/// A body has a mesh, a robot without moving joints, a sphere or a capsule.
+/// A body has a mesh, a robot without moving joints, a sphere, a capsule or points with a radius.
 Polyhedron shape_in(const Members& body, Shapes& shapes) {
     const BodyChoice choice{body.read("solid", [](const Json& json) { return solid_of(text_in(json)); }),
                             body.read("radius", number_in)};
-    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), choice); });
-    const auto sphere = body.read("sphere", [](const Json& json) { return make_sphere(number_in(json)); });
-    const auto capsule = body.read("capsule", capsule_in);
-    if (!urdf && !sphere && !capsule) {
+    std::vector<std::pair<std::string, Polyhedron>> found;
+    const auto look_for = [&](const char* kind, auto read) {
+        if (const auto shape = body.read(kind, read))
+            found.emplace_back(kind, *shape);
+    };
+    look_for("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), choice); });
+    look_for("sphere", [](const Json& json) { return make_sphere(number_in(json)); });
+    look_for("capsule", capsule_in);
+    look_for("points", [&](const Json& name) { return shapes.get_points(text_in(name), choice); });
+    if (found.empty()) {
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
         return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1), choice});
     }
-    const std::string kind = urdf ? "urdf" : sphere ? "sphere" : "capsule";
+    const auto& [kind, shape] = found.front();
+    if (found.size() > 1)
+        refuse(found[1].first + ": the body has a " + kind + " already");
     require_none_of({"mesh", "part", "scale"}, body, kind, "a mesh");
-    for (const char* other : {"sphere", "capsule"})
-        if (other != kind && body.find(other))
-            refuse(std::string(other) + ": the body has a " + kind + " already");
-    if (!urdf)
-        require_none_of({"solid", "radius"}, body, kind, "a mesh or a urdf");
-    return urdf ? *urdf : sphere ? *sphere : *capsule;
+    if (kind == "sphere" || kind == "capsule")
+        require_none_of({"radius"}, body, kind, "a mesh, a urdf or points");
+    if (kind != "urdf")
+        require_none_of({"solid"}, body, kind, "a mesh or a urdf");
+    return shape;
 }
 
 void add_body(Scene& scene, const Json& json, Shapes& shapes) {

@@ -48,6 +48,13 @@ Polyhedron Shapes::get_urdf(const std::string& name, const BodyChoice& body) {
     return robots_.emplace(std::pair(name, body), robot.shape(robot.neutral(), options_of(body))).first->second;
 }
 
+Polyhedron Shapes::get_points(const std::string& name, const BodyChoice& body) const {
+    const double radius = options_of(body).radius;
+    if (!(radius > 0))
+        throw InvalidInput("need a radius above 0 beside them, which is that of every point");
+    return load_points(folder_ / name, radius);
+}
+
 std::vector<std::string> Shapes::warnings() const {
     std::vector<std::string> all = warnings_;
     for (std::string& warning : unit_warnings(units_))

@@ -37,6 +37,8 @@ public:
     Polyhedron get(const MeshChoice& choice);
     /// All links of a robot whose joints do not move, as one body.
     Polyhedron get_urdf(const std::string& name, const BodyChoice& body);
+    /// The points of a file, with the radius of the body.
+    [[nodiscard]] Polyhedron get_points(const std::string& name, const BodyChoice& body) const;
     /// The options of a body. Its scale does not change its radius.
     [[nodiscard]] PolyhedronOptions options_of(const BodyChoice& body) const;
 

@@ -101,7 +101,7 @@ FirstContact PieceByPiece::run() {
     const FirstContact met = run_within(of_polyhedra(0), true, 0);
     if (met.verdict != Verdict::contact_at_start)
         return inside_at_start(*nested, met.work);
-    const bool is_answer = met.certain && options_.margin == 0; // nothing else is asked for
+    const bool is_answer = met.certain && options_.margin == 0 && options_.find != Find::any;
     return is_answer ? met : run_on_surfaces();
 }
 

@@ -255,6 +255,14 @@ void bind_polyhedron(nb::module_& module) {
                doc("make_sphere"));
     module.def("capsule", made<make_capsule, double, double>, "radius"_a, "length"_a,
                nb::sig("def capsule(radius: float, length: float) -> Polyhedron"), doc("make_capsule"));
+    module.def(
+        "load_points",
+        [](const std::filesystem::path& file, double radius) {
+            const WithoutGil without_gil;
+            return Body{load_points(file, radius), nullptr, {}};
+        },
+        "file"_a, "radius"_a, nb::sig("def load_points(file: str | os.PathLike[str], radius: float) -> Polyhedron"),
+        doc("load_points"));
     module.def("points", points, "points"_a.none(), "radius"_a,
                nb::sig("def points(points: numpy.typing.ArrayLike, radius: float) -> Polyhedron"), doc("make_points"));
     module.def("load", load, "file"_a, "triangulate"_a = false, "threads"_a = 0, "solid"_a.none() = "automatic",

@@ -66,10 +66,18 @@ TEST_F(RadiusCommand, BodiesOfScenesHaveTheirOwn) {
               "chasles: scene.json: body 1: 'other': capsule: needs [radius, length], and there are 1\n");
     EXPECT_EQ(error(R"("sphere": 1, "mesh": "cube.obj")"),
               "chasles: scene.json: body 1: 'other': mesh: goes with a mesh, and the body has a sphere\n");
-    EXPECT_EQ(error(R"("sphere": 1, "radius": 2)"),
-              "chasles: scene.json: body 1: 'other': radius: goes with a mesh or a urdf, and the body has a sphere\n");
+    EXPECT_EQ(error(R"("sphere": 1, "radius": 2)"), "chasles: scene.json: body 1: 'other': radius: goes with a mesh, a "
+                                                    "urdf or points, and the body has a sphere\n");
     EXPECT_EQ(error(R"("sphere": 1, "capsule": [1, 1])"),
               "chasles: scene.json: body 1: 'other': capsule: the body has a sphere already\n");
+}
+
+TEST_F(RadiusCommand, CloudsOfPointsAreBodiesOfScenes) {
+    write("cloud.xyz", "0 0 0\n0 0.5 0.5\n");
+    const std::string way = R"(, "pose": [4, 0, 0], "goal": [0, 0, 0])";
+    EXPECT_NEAR(scene(R"("points": "cloud.xyz", "radius": 0.5)" + way)["time"], 0.625, 1e-11);
+    EXPECT_NEAR(scene(R"("points": "cloud.xyz")" + way, "--radius 0.5")["time"], 0.5, 1e-11) << "and the cube";
+    EXPECT_NE(run("scene scene.json").err.find("points: need a radius above 0 beside them"), std::string::npos);
 }
 
 TEST_F(RadiusCommand, IsForRobotsAndTheirScenes) {
