@@ -8,7 +8,7 @@ namespace chasles {
 namespace {
 
 /// Of places, over the greatest coordinate of the rim.
-constexpr double rounding = 0x1p-40;
+constexpr double reach_of_seams = 0x1p-40;
 
 std::vector<std::uint32_t> rim_of(std::span<const UnpairedEdge> unpaired) {
     std::vector<std::uint32_t> rim;
@@ -29,7 +29,7 @@ std::uint32_t place_in(std::span<const Edge> joined, std::uint32_t vertex) {
 Seams::Seams(std::span<const Eigen::Vector3d> vertices, std::span<const UnpairedEdge> unpaired) : vertices_(vertices) {
     std::vector<std::uint32_t> rim = rim_of(unpaired);
     for (const std::uint32_t vertex : rim)
-        reach_ = std::max(reach_, rounding * vertices_[vertex].lpNorm<Eigen::Infinity>());
+        reach_ = std::max(reach_, reach_of_seams * vertices_[vertex].lpNorm<Eigen::Infinity>());
     join(std::move(rim));
     for (const UnpairedEdge& edge : unpaired)
         add(edge);

@@ -77,7 +77,7 @@ TEST(PointFiles, ABodyOfThem) {
     const Polyhedron cloud = load_points(ply, 0.25);
     EXPECT_EQ(Points(cloud.vertices().begin(), cloud.vertices().end()), wanted);
     EXPECT_EQ(cloud.radius(), 0.25);
-    const auto other = written("cloud.las", ""), empty = written("cloud.xyz", "");
+    const auto other = written("cloud.las", "x"), empty = written("cloud.xyz", "# nothing\n");
     EXPECT_NE(refusal([&] { (void)load_points(other, 1); }).find("no reader of points for the extension '.las'"),
               std::string::npos);
     EXPECT_NE(refusal([&] { (void)load_points(empty, 1); }).find("points: needs at least one point"),
