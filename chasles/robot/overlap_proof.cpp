@@ -20,13 +20,20 @@ constexpr std::size_t most_tries = 24;
 /// Of all lengths that enter; places are computed in double.
 constexpr double rounding_share = 1e-9;
 
+/// The distance of the rim.
+double distance_to_rim(const std::array<Vector3d, 3>& triangle, const Vector3d& point) {
+    const auto& [a, b, c] = triangle;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        least = std::min(least, (point - (from == to ? from : contact::foot_on_segment(from, to, point))).norm());
+    return least;
+}
+
 /// Never more than the distance, but for rounding.
 double distance_to(const std::array<Vector3d, 3>& triangle, const Vector3d& point) {
     const auto& [a, b, c] = triangle;
     const Vector3d normal = (b - a).cross(c - a);
-    double rim = std::numeric_limits<double>::infinity();
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        rim = std::min(rim, (point - contact::foot_on_segment(from, to, point)).norm());
+    const double rim = distance_to_rim(triangle, point);
     const bool is_beside = normal.squaredNorm() > 0 && normal.cross(b - a).dot(point - a) >= 0 &&
                            normal.cross(c - b).dot(point - b) >= 0 && normal.cross(a - c).dot(point - c) >= 0;
     return is_beside ? std::min(rim, std::abs(normal.dot(point - a)) / normal.norm()) : rim;
@@ -46,6 +53,7 @@ OverlapProof::OverlapProof(const Model& model, const std::vector<const Element*>
 OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
     Surface surface{&shape.body(), {}, {}, {}};
     const auto vertices = shape.vertices();
+    const Vector3d radius = Vector3d::Constant(shape.radius());
     for (std::size_t f = 0; f < shape.face_count(); ++f) {
         const auto face = shape.face(f);
         for (const auto& [a, b, c] : shape.triangles(f)) {
@@ -54,7 +62,8 @@ OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
         }
         for (std::size_t i = 0; i < face.size(); ++i) {
             const Vector3d &a = vertices[face[i]], &b = vertices[face[(i + 1) % face.size()]];
-            surface.box.extend(a);
+            surface.box.extend(Vector3d(a - radius));
+            surface.box.extend(Vector3d(a + radius));
             for (const double share : {0.0, 0.25, 0.5, 0.75})
                 surface.points.emplace_back(a + share * (b - a));
         }
@@ -62,8 +71,14 @@ OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
     return surface;
 }
 
-/// Of the volume, and farther than the margin from the surface.
-bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, double margin, double rounding) {
+/// Nearer to the polyhedron than both radii, or of the volume and not near its surface, each by more than the margin.
+bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, double radii, double margin,
+                             double rounding) {
+    if (std::ranges::any_of(surface.triangles,
+                            [&](const auto& triangle) { return distance_to_rim(triangle, point) < radii - margin; }))
+        return true;
+    if (!surface.body->volume().is_solid())
+        return false;
     const culling::WeightedPoint<double> place{{point.x(), point.y(), point.z()}, 1, rounding};
     return culling::is_inside(*surface.body, place, point, rounding).value_or(false) &&
            std::ranges::all_of(surface.triangles,
@@ -72,7 +87,8 @@ bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, doub
 
 bool OverlapProof::has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
                                     double margin, double rounding) {
-    if (!fixed.body->volume().is_solid())
+    const double radii = moving.body->radius() + fixed.body->radius();
+    if (radii == 0 && !fixed.body->volume().is_solid())
         return false;
     std::vector<Vector3d> points;
     Eigen::AlignedBox3d box;
@@ -80,14 +96,16 @@ bool OverlapProof::has_point_inside(const Surface& moving, const Surface& fixed,
         points.emplace_back(relative * point);
         box.extend(points.back());
     }
-    const Eigen::AlignedBox3d common = box.intersection(fixed.box);
+    const Vector3d radius = Vector3d::Constant(moving.body->radius());
+    const Eigen::AlignedBox3d wide(fixed.box.min() - radius, fixed.box.max() + radius);
+    const Eigen::AlignedBox3d common = box.intersection(wide);
     std::erase_if(points, [&](const Vector3d& point) { return !common.contains(point); });
     const Vector3d middle = common.center();
     const std::size_t tries = std::min(most_tries, points.size());
     std::ranges::partial_sort(points, points.begin() + std::ptrdiff_t(tries), {},
                               [&](const Vector3d& point) { return (point - middle).squaredNorm(); });
     return std::any_of(points.begin(), points.begin() + std::ptrdiff_t(tries),
-                       [&](const Vector3d& point) { return is_inside(fixed, point, margin, rounding); });
+                       [&](const Vector3d& point) { return is_inside(fixed, point, radii, margin, rounding); });
 }
 
 bool OverlapProof::touch_within(double margin, const Configuration& configuration) const {

@@ -1,5 +1,5 @@
 // Proof that two links overlap in all configurations near one of them: a point of one surface is inside of the other
-// body, which is solid, by more than any point may move.
+// body, by more than any point may move.
 // Source: docs/derivations/29-robots.md, "Pairs that never touch".
 #pragma once
 
@@ -32,7 +32,8 @@ private:
     /// Whether a point of the first surface is inside of the second body, for any displacement up to the margin.
     static bool has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
                                  double margin, double rounding);
-    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double margin, double rounding);
+    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double radii, double margin,
+                          double rounding);
 
     const Model& model_;
     const std::vector<const Element*>& first_;

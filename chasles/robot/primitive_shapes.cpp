@@ -19,16 +19,13 @@ EnclosingPolyhedron PrimitiveShapes::box(const Eigen::Vector3d& sides) {
 EnclosingPolyhedron PrimitiveShapes::made(const RoundBody& given) const {
     const auto& [kind, given_radius, given_length] = given;
     const double radius = with_extent(given_radius), added = radius - given_radius;
-    const double deviation = deviation_ * radius;
     if (kind == "cylinder") {
         const double length = with_extent(given_length);
-        const EnclosingPolyhedron body = enclosing_cylinder(radius, length, deviation);
+        const EnclosingPolyhedron body = enclosing_cylinder(radius, length, deviation_ * radius);
         return {body.shape, body.deviation + added + 0.5 * (length - given_length)};
     }
-    const EnclosingPolyhedron body = given_length == 0 // a capsule without length is a sphere
-                                         ? enclosing_sphere(radius, deviation)
-                                         : enclosing_capsule(radius, given_length, deviation);
-    return {body.shape, body.deviation + added};
+    const bool is_sphere = given_length == 0; // also a capsule without length
+    return {is_sphere ? make_sphere(radius) : make_capsule(radius, given_length), added};
 }
 
 const EnclosingPolyhedron& PrimitiveShapes::round_body(const std::string& kind, double radius, double length) {

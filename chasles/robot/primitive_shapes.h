@@ -1,4 +1,4 @@
-// The boxes and round bodies of a URDF file as polyhedra.
+// The boxes and round bodies of a URDF file.
 #pragma once
 
 #include "chasles/mesh/primitives.h"
@@ -9,11 +9,12 @@
 
 namespace chasles::robot {
 
-/// Makes polyhedra that enclose shapes, each with the bound of its distance from the shape. Files have shapes without
-/// extent, as placeholders: a polyhedron needs some, so they become 1e-6 thick, in the length unit of the file.
+/// Makes bodies that enclose shapes, each with the bound of its distance from the shape: cylinders become polyhedra,
+/// and all other shapes are exact. Files have shapes without extent, as placeholders: a body needs some, so they become
+/// 1e-6 thick, in the length unit of the file.
 class PrimitiveShapes {
 public:
-    /// The deviation of round bodies as a part of their radius.
+    /// The deviation of cylinders as a part of their radius.
     explicit PrimitiveShapes(double deviation) : deviation_(deviation) {}
 
     static EnclosingPolyhedron box(const Eigen::Vector3d& sides);

@@ -62,11 +62,12 @@ struct RobotFiles {
     /// package that is not named here is looked for from the folder of the URDF file upwards: a folder NAME, a folder
     /// whose package.xml says NAME, and at last any folder that has the end of the path.
     std::map<std::string, std::filesystem::path> packages = {};
-    /// Spheres, cylinders and capsules become polyhedra that enclose them and leave them by at most this part of their
-    /// radius.
+    /// Cylinders become polyhedra that enclose them and leave them by at most this part of their radius. Spheres and
+    /// capsules are exact.
     double primitive_deviation = 0.01;
     Solid solid = Solid::automatic; ///< of meshes; primitives are solid
-    double radius = 0;              ///< of every collision shape, in the length unit; see PolyhedronOptions::radius
+    double radius = 0; ///< of every collision shape, in the length unit; see PolyhedronOptions::radius. Spheres and
+                       ///< capsules grow and shrink by it
 };
 
 /// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may
@@ -106,8 +107,9 @@ public:
     /// The poses of all links, in the order of the description.
     [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
     /// The shapes of all links and parts at a configuration as one rigid body, in the world: vertices are rounded to
-    /// doubles, and polygons that rounding bends are cut into triangles. The options are about this body, whatever its
-    /// shapes are. Throws InvalidInput for a robot without shapes, for round shapes, and as link_pose.
+    /// doubles, and polygons that rounding bends are cut into triangles. Spheres and capsules are enclosed by polyhedra
+    /// that leave them by at most a hundredth of their radius. The options are about this body, whatever its shapes
+    /// are. Throws InvalidInput for a robot without shapes, for other shapes with a radius, and as link_pose.
     [[nodiscard]] Polyhedron shape(const Configuration& configuration, const PolyhedronOptions& options = {}) const;
 
     /// Where the root link stands in the world.

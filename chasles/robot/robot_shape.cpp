@@ -1,5 +1,6 @@
 // A robot as one rigid body, for questions in which its joints do not move.
 #include "chasles/mesh/exact_orientation.h"
+#include "chasles/mesh/primitives.h"
 #include "chasles/robot/model.h"
 
 #include <array>
@@ -53,6 +54,20 @@ private:
     std::vector<CornerIds> faces_;
 };
 
+/// The shape, or a polyhedron that encloses it: a sphere, or a capsule along z, as URDF files have them.
+Polyhedron surface_of(const Polyhedron& shape, const std::string& robot) {
+    constexpr double deviation = 0.01; // as a part of the radius
+    const double radius = shape.radius();
+    if (radius == 0)
+        return shape;
+    const auto ends = shape.vertices();
+    if (ends.size() == 1 && ends[0].isZero(0))
+        return enclosing_sphere(radius, deviation * radius).shape;
+    if (ends.size() == 2 && ends[0] == -ends[1] && ends[0].head<2>().isZero(0))
+        return enclosing_capsule(radius, (ends[1] - ends[0]).norm(), deviation * radius).shape;
+    robot::refuse(robot, "has meshes with a radius, which are no surface of faces; leave it at 0");
+}
+
 } // namespace
 
 Polyhedron Robot::shape(const Configuration& configuration, const PolyhedronOptions& options) const {
@@ -61,13 +76,10 @@ Polyhedron Robot::shape(const Configuration& configuration, const PolyhedronOpti
     const robot::SegmentMotion motion = model_->motion_of(path.segments().front());
     MergedSurface surface;
     for (const robot::Element& element : model_->elements) {
-        if (element.shape.radius() > 0)
-            robot::refuse(model_->description.name,
-                          "has round shapes, which are no surface of faces; leave their radius at 0");
         Eigen::Isometry3d pose = model_->pose_of(motion, element.owner, 0).isometry();
         if (element.owner < model_->description.links.size())
             pose = pose * model_->description.links[element.owner].collisions[element.shape_index].origin.isometry();
-        surface.add(element.shape, pose);
+        surface.add(surface_of(element.shape, model_->description.name), pose);
     }
     if (surface.is_empty())
         robot::refuse(model_->description.name, "has no collision shapes");

@@ -122,7 +122,7 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
     const auto with_radius = [&](const Polyhedron& body) {
-        return files_.radius == 0 ? body : body.with_radius(files_.radius);
+        return files_.radius == 0 ? body : body.with_radius(body.radius() + files_.radius);
     };
     try {
         if (kind == "mesh")

@@ -1,5 +1,6 @@
 // Round links and obstacles: culling of robots knows their radii, and URDF files may be given one.
 #include "chasles/mesh/primitives.h"
+#include "chasles/robot/pair_proof.h"
 #include "chasles/robot/robot.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
@@ -73,9 +74,26 @@ TEST(RoundLinks, AnswerAsLinksWithALargerMargin) {
     EXPECT_GT(clear, 20);
 }
 
-TEST(RoundLinks, HaveNoShapeAsOneSurface) {
-    const Robot robot = arm(make_sphere(0.3), 2, make_box({1, 1, 1}), Pose());
-    EXPECT_NE(refusal([&] { (void)robot.shape(at(0)); }).find("has round shapes"), std::string::npos);
+TEST(RoundLinks, AreEnclosedInAShapeOfTheWholeRobot) {
+    const Robot robot = arm(make_sphere(0.3), 2, make_capsule(0.5, 1), Pose());
+    const MeshReport report = robot.shape(at(0)).report();
+    EXPECT_EQ(report.solid_parts, 2U);
+    EXPECT_GE(report.upper.x(), 2.3);
+    EXPECT_LE(report.upper.x(), 2.3 + 0.0031);
+    EXPECT_GE(report.lower.z(), -1.006);
+    EXPECT_LE(report.lower.z(), -1);
+    const Robot mesh = arm(make_box({1, 1, 1}).with_radius(0.1), 2, make_sphere(1), Pose());
+    EXPECT_NE(refusal([&] { (void)mesh.shape(at(0)); }).find("has meshes with a radius"), std::string::npos);
+}
+
+TEST(RoundLinks, ThatAlwaysOverlapAreProven) {
+    for (const double radius : {0.4, 0.75}) { // 1 from the axis: apart or in each other
+        Robot robot = arm(make_sphere(radius), 1, make_sphere(radius), Pose());
+        robot.test("base", "arm");
+        const auto proofs = prove_pairs(robot);
+        ASSERT_EQ(proofs.size(), 1U);
+        EXPECT_EQ(proofs[0].reason == PairReason::always, radius > 0.5) << radius;
+    }
 }
 
 } // namespace

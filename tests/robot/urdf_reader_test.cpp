@@ -69,10 +69,8 @@ TEST_F(UrdfFile, ShapesWithoutExtentAreThin) {
          {"<sphere radius=\"0\"/>", "<box size=\"0 0 0\"/>", "<cylinder radius=\"0\" length=\"0\"/>",
           "<capsule radius=\"0\" length=\"0\"/>"}) {
         const CollisionDescription point = read_shape(nothing);
-        for (const Eigen::Vector3d& vertex : point.shape.vertices()) {
-            EXPECT_GT(vertex.norm(), 0) << nothing;
-            EXPECT_LE(vertex.norm(), point.deviation) << nothing;
-        }
+        EXPECT_GT(reach(point).minCoeff(), 0) << nothing;
+        EXPECT_LE(reach(point).maxCoeff(), point.deviation) << nothing;
         EXPECT_LE(point.deviation, 2e-6) << nothing;
     }
     const CollisionDescription plate = read_shape("<box size=\"1 2 0\"/>");
