@@ -6,6 +6,8 @@
 #include "tests/support/plain_kinematics.h"
 
 #include <algorithm>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 #include <limits>
@@ -84,10 +86,19 @@ private:
         Object object;
     };
 
+    /// Spheres and capsules are points and segments along z with a radius.
+    static std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const Polyhedron& shape) {
+        const auto ends = shape.vertices();
+        if (shape.radius() > 0 && ends.size() == 1)
+            return std::make_shared<fcl::Sphered>(shape.radius());
+        if (shape.radius() > 0 && ends.size() == 2)
+            return std::make_shared<fcl::Capsuled>(shape.radius(), (ends[1] - ends[0]).norm());
+        return fcl_model_of(shape);
+    }
     Object object_of(const Polyhedron& shape) {
         auto& model = models_[&shape.body()];
         if (!model)
-            model = fcl_model_of(shape);
+            model = geometry_of(shape);
         return std::make_unique<fcl::CollisionObjectd>(model);
     }
     void place(const Poses& poses) {
@@ -110,7 +121,7 @@ private:
     }
 
     const Robot& robot_;
-    std::map<const Body*, std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>>> models_;
+    std::map<const Body*, std::shared_ptr<fcl::CollisionGeometryd>> models_;
     std::vector<Shape> shapes_;
     std::vector<Object> obstacles_;
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;

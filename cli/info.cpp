@@ -58,7 +58,7 @@ std::string solid_text(const MeshReport& mesh, Solid solid) {
     if (solid == Solid::no)
         return "no, as asked";
     if (mesh.solid_parts == 0)
-        return "no: " + why;
+        return "no: " + (mesh.unpaired_edges > 0 ? why : "no face has an area");
     if (mesh.solid_parts == mesh.parts)
         return "yes, " + volume + (mesh.closed ? "" : ", closed up to rounding") +
                (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
@@ -116,7 +116,8 @@ std::string parts_report(const std::vector<PartSummary>& parts) {
 
 int run_info(const InfoOptions& options) {
     if (is_robot_file(options.mesh))
-        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages, options.polyhedron.solid},
+        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages, options.polyhedron.solid,
+                               fmt::format("{}", options.polyhedron.radius)},
                               options.json);
     if (!options.robot.srdf.empty() || !options.robot.packages.empty())
         throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +

@@ -82,10 +82,10 @@ CLI::Option* add_radii_option(CLI::App& command, std::string& radii, const char*
 }
 
 std::pair<double, double> radii_of(const std::string& text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos)
-        return {number_of("--radius", text), 0};
-    return {number_of("--radius", text.substr(0, comma)), number_of("--radius", text.substr(comma + 1))};
+    const std::vector<double> radii = at_place("--radius", [&] { return io::parse_numbers(text); });
+    if (radii.empty() || radii.size() > 2)
+        throw InvalidInput("--radius: needs one or two numbers, A or A,B");
+    return {radii[0], radii.size() == 2 ? radii[1] : 0};
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {

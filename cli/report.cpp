@@ -219,7 +219,8 @@ std::string way_out_line(const FirstContact& found, const QueryOptions& options)
             "hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than {:.9g}, "
                                 "or allow an overlap by a radius below 0",
                                 *options.hold));
-    return options.margin > 0 ? "" : labelled("way out", "bodies that touch by design may have a radius below 0");
+    return options.margin > 0 ? ""
+                              : labelled("way out", "closed bodies that touch by design may have a radius below 0");
 }
 
 std::string labelled(const std::string& label, const std::string& text) {

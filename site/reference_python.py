@@ -11,7 +11,7 @@ import re
 import shutil
 
 TOPICS: dict[str, tuple[str, list[str]]] = {
-    "bodies": ("Bodies", ["Polyhedron", "MeshReport", "load", "load_parts", "from_trimesh", "parts_from_trimesh", "InvalidInput"]),
+    "bodies": ("Bodies", ["Polyhedron", "MeshReport", "load", "load_parts", "sphere", "capsule", "points", "load_points", "from_trimesh", "parts_from_trimesh", "InvalidInput"]),
     "motions": (
         "Motions",
         ["ScrewMotion", "SweepMotion", "ConstantVelocity", "ConstantTwist", "Motion", "Spline", "TimedPoses", "Trajectory",

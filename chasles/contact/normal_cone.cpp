@@ -93,6 +93,8 @@ Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const 
             best_share = share;
         }
     }
+    if (best.isZero(0)) // one point is both bodies' centre, and no normal is better than another
+        return Eigen::Vector3d::UnitZ();
     return best + Eigen::Vector3d::Zero(); // not -0
 }
 

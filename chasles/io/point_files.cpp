@@ -149,10 +149,10 @@ std::vector<Vector3d> points_in(const std::filesystem::path& file, const std::st
         return read_pcd(bytes);
     if (extension == ".ply" || extension == ".obj" || extension == ".off")
         return reader_for(extension)(bytes).vertices;
-    if (extension == ".xyz" || extension == ".csv" || extension == ".txt" || extension == ".pts")
+    if (extension == ".xyz" || extension == ".csv" || extension == ".txt")
         return read_point_table(bytes);
     throw InvalidInput("no reader of points for the extension " + in_quotes(extension) +
-                       "; .ply, .pcd, .xyz, .csv, .txt, .pts, .obj and .off are read");
+                       "; .ply, .pcd, .xyz, .csv, .txt, .obj and .off are read");
 }
 
 } // namespace

@@ -113,7 +113,8 @@ SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<cons
         sorted.append(corners, index, vertices);
     }
     if (sorted.proper.source.empty() && !is_round)
-        throw InvalidInput("mesh: no face has an area; a body without a surface needs a radius above 0");
+        throw InvalidInput(
+            "mesh: no face has an area, so the mesh has no surface; no option but a radius above 0 accepts it");
     return sorted;
 }
 

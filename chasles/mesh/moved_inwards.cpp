@@ -92,13 +92,14 @@ void require_closed(const Body& body, double distance) {
                            " edges; mend the mesh, or leave its radius at 0");
 }
 
-/// Whether an edge points the other way, or the face itself: there is no room to move.
+/// Whether an edge points the other way, or the face itself: there is no room to move. A face that is a line up to
+/// rounding points nowhere.
 bool is_turned(std::span<const std::uint32_t> outline, std::span<const Vector3d> before,
-               std::span<const Vector3d> after, const Vector3d& normal) {
+               std::span<const Vector3d> after, const FaceNormal& normal) {
     Vector3d area = Vector3d::Zero();
     for (std::size_t i = 2; i < outline.size(); ++i)
         area += (after[outline[i - 1]] - after[outline[0]]).cross(after[outline[i]] - after[outline[0]]);
-    if (!(area.dot(normal) > 0))
+    if (normal.has_plane() && !(area.dot(normal.unit) > 0))
         return true;
     for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++)
         if (!((after[outline[i]] - after[outline[last]]).dot(before[outline[i]] - before[outline[last]]) > 0))
@@ -108,7 +109,7 @@ bool is_turned(std::span<const std::uint32_t> outline, std::span<const Vector3d>
 
 void require_turned_alike(const Body& body, std::span<const Vector3d> moved, double distance) {
     for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face).unit))
+        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face)))
             throw InvalidInput("mesh: radius: " + number_text(-distance) + " turns face " +
                                std::to_string(body.source_face(face)) +
                                " over, because the body is too thin there; a radius nearer to 0 may do");
@@ -117,9 +118,16 @@ void require_turned_alike(const Body& body, std::span<const Vector3d> moved, dou
 
 } // namespace
 
-/// Point by point: one that is not in the cap so far is on the rim of the next one. Source: E. Welzl, "Smallest
-/// enclosing disks (balls and ellipsoids)", 1991, for three points on the rim.
-Cap smallest_cap(std::span<const Vector3d> normals) {
+/// Normal by normal, in an order that has nothing to do with theirs: one that is not in the cap so far is on the rim of
+/// the next one. Source: E. Welzl, "Smallest enclosing disks (balls and ellipsoids)", 1991, for three points on the
+/// rim.
+Cap smallest_cap(std::span<const Vector3d> given) {
+    std::vector<Vector3d> normals(given.begin(), given.end());
+    std::uint64_t state = 1;
+    for (std::size_t i = normals.size(); i > 1; --i) {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        std::swap(normals[i - 1], normals[(state >> 33U) % i]);
+    }
     Cap cap{normals[0], 1};
     for (std::size_t i = 1; i < normals.size(); ++i) {
         if (contains(cap, normals[i]))
@@ -143,16 +151,17 @@ Cap smallest_cap(std::span<const Vector3d> normals) {
 std::vector<Vector3d> moved_inwards(const Body& body, double distance) {
     require_closed(body, distance);
     const Places places(body);
-    std::vector<Vector3d> unit;
+    std::vector<FaceNormal> faces;
     for (std::uint32_t face = 0; face < body.face_count(); ++face)
-        unit.push_back(face_normal(body, face).unit);
+        faces.push_back(face_normal(body, face));
     std::vector<Vector3d> moved(body.vertices().begin(), body.vertices().end());
     std::vector<Vector3d> normals;
     for (std::size_t vertex = 0; vertex < moved.size(); ++vertex) {
         const auto around = places.faces_around(places.of(vertex));
         normals.clear();
         for (const std::uint32_t face : around)
-            normals.push_back(unit[face]);
+            if (faces[face].has_plane())
+                normals.push_back(faces[face].unit);
         if (!normals.empty())
             moved[vertex] += shift_against(normals, distance);
     }

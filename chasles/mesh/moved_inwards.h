@@ -16,7 +16,7 @@ struct Cap {
     Eigen::Vector3d middle = Eigen::Vector3d::UnitZ(); ///< unit
     double cosine = 1;
 };
-[[nodiscard]] Cap smallest_cap(std::span<const Eigen::Vector3d> normals);
+[[nodiscard]] Cap smallest_cap(std::span<const Eigen::Vector3d> given);
 
 /// The vertices of a body. At each of them, the planes of the faces around it move inwards, against their normals, by
 /// at most `distance`, and as evenly as one shift of the vertex moves them. A vertex stays where no shift moves all of

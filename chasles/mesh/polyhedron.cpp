@@ -45,6 +45,11 @@ BodyParts moved(const Body& body, PolyhedronOptions options) {
     options.radius = 0;
     options.triangulate = true;
     BodyParts parts = made_again(body, moved_inwards(body, distance), options);
+    if (parts.report.unpaired_edges > 0)
+        throw InvalidInput("mesh: radius: " + number_text(-distance) + " opens the surface along " +
+                           std::to_string(parts.report.unpaired_edges) +
+                           " edges, where faces without area join vertices to edges; mend the mesh, so that faces "
+                           "meet in whole edges, or leave its radius at 0");
     parts.report.moved_inwards = distance;
     return parts;
 }

@@ -40,7 +40,7 @@ TEST_F(RadiusCommand, BelowZeroLetsBodiesTouch) {
     const std::string lifted = " --start \"0 0 1\" --goal \"0 0 2\"";
     EXPECT_EQ(answer("check cube.obj cube.obj" + lifted)["verdict"], "contact_at_start");
     EXPECT_NE(run("check cube.obj cube.obj" + lifted)
-                  .out.find("way out   bodies that touch by design may have a radius below 0"),
+                  .out.find("way out   closed bodies that touch by design may have a radius below 0"),
               std::string::npos);
     EXPECT_EQ(answer("check cube.obj cube.obj --radius -1e-6" + lifted)["verdict"], "clear");
     EXPECT_EQ(answer("check cube.obj cube.obj --radius 0,-1e-6" + lifted)["verdict"], "clear");
@@ -89,6 +89,9 @@ TEST_F(RadiusCommand, IsForRobotsAndTheirScenes) {
     EXPECT_EQ(answer("robot box.urdf --scene scene.json --radius 0.75")["verdict"], "contact_at_start");
     EXPECT_EQ(answer("robot box.urdf --scene scene.json --radius 0,0.75")["verdict"], "contact_at_start");
     EXPECT_EQ(answer("robot box.urdf --scene scene.json --radius -0.75,0.75")["verdict"], "clear");
+    EXPECT_NE(run("info box.urdf --radius -5").err.find("turns face 0 over"), std::string::npos);
+    EXPECT_NE(run("check cube.obj cube.obj --radius 1, --start \"0 0 0\" --goal \"1 0 0\"").err.find("--radius: "),
+              std::string::npos);
 }
 
 TEST_F(RadiusCommand, PagesDrawRoundBodies) {

@@ -227,7 +227,7 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
         return R"({"bodies": [{"name": "a", "mesh": "cube.obj")" + more + "}]}";
     };
     EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, "
-                                                 "scale, pose, goal, motion, centre, poses, group, solid");
+                                                 "scale, pose, goal, motion, centre, poses, group, solid, and 4 more");
     EXPECT_EQ(refused(body(R"(, "pose": [1, 2])")).substr(0, 29), "body 1: 'a': pose: 2 numbers ");
     EXPECT_EQ(refused(body(R"(, "scale": -1)")),
               "body 1: 'a': scale: must be one positive number; mirror the mesh or scale its axes in the mesh file");

@@ -100,6 +100,21 @@ TEST(MovedInwards, SmallestCapIsThatOfAllPairsAndTriples) {
     }
 }
 
+/// A cone with so many sides that steps by pairs would take minutes.
+TEST(MovedInwards, AVertexMayHaveManyFaces) {
+    const std::uint32_t sides = 50'000;
+    Soup soup{{{0, 0, 1}, {0, 0, 0}}, {}};
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        soup.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+        soup.faces.push_back({0, 2 + i, 2 + (i + 1) % sides});
+        soup.faces.push_back({1, 2 + (i + 1) % sides, 2 + i});
+    }
+    const Polyhedron body = with(soup, -1e-6);
+    EXPECT_NEAR(body.vertices()[0].z(), 1 - std::sqrt(2.0) * 1e-6, 1e-12);
+    EXPECT_NEAR(body.vertices()[1].z(), 1e-6, 1e-15);
+}
+
 TEST(MovedInwards, AVertexStaysWhereNoShiftMovesAllPlanes) {
     // Two cubes that have one vertex in common, at opposite corners.
     Soup soup = cube();
@@ -131,6 +146,18 @@ TEST(MovedInwards, RefusesWhatHasNoInsideOrNoRoom) {
               "mesh: radius: -0.6 turns face 0 over, because the body is too thin there; a radius nearer to 0 may do");
     EXPECT_EQ(refusal([&] { (void)with(cube(), std::nan("")); }), "mesh: radius: nan must be in [-1e30, 1e30]");
     EXPECT_EQ(refusal([&] { (void)with(cube(), 2e30); }), "mesh: radius: 2e+30 must be in [-1e30, 1e30]");
+}
+
+/// A vertex in the middle of an edge, joined to the face beyond by a face without area.
+TEST(MovedInwards, RefusesWhatOpens) {
+    Soup soup = cube();
+    soup.vertices.emplace_back(0.5, 0, 0);
+    soup.faces[2] = {0, 8, 1, 5, 4};
+    soup.faces.push_back({0, 1, 8});
+    EXPECT_TRUE(made_from(soup).report().closed);
+    EXPECT_EQ(made_from(soup).report().solid_parts, 1U);
+    EXPECT_NE(refusal([&] { (void)with(soup, -0.01); }).find("opens the surface along 3 edges"), std::string::npos)
+        << refusal([&] { (void)with(soup, -0.01); });
 }
 
 TEST(MovedInwards, FacesKeepTheirNames) {

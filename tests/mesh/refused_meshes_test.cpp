@@ -66,7 +66,8 @@ TEST(RefusedMeshes, TooFewVerticesInAFace) {
 
 TEST(RefusedMeshes, NothingButCollapsedFaces) {
     const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
-    EXPECT_EQ(refusal(soup), "mesh: no face has an area; no option accepts this mesh, because it has no surface");
+    EXPECT_EQ(refusal(soup),
+              "mesh: no face has an area, so the mesh has no surface; no option but a radius above 0 accepts it");
 }
 
 TEST(RefusedMeshes, PolygonsThatAreNotPlanar) {

@@ -175,7 +175,7 @@ def test_shapes_are_those_of_pinocchio(urdf):
         frame = model.frames[model.getFrameId(link, pinocchio.FrameType.BODY)].placement
         for (shape, pose, deviation), thing in zip(ours, theirs):
             assert np.abs((frame.inverse() * thing.placement).homogeneous - pose).max() <= 1e-12
-            bounds = np.array([shape.vertices.min(0), shape.vertices.max(0)])
+            bounds = np.array([shape.vertices.min(0) - shape.radius, shape.vertices.max(0) + shape.radius])
             if isinstance(thing.geometry, coal.BVHModelBase):
                 vertices = np.array(thing.geometry.vertices())
                 expected = np.array([vertices.min(0), vertices.max(0)])

@@ -5,6 +5,7 @@
 #include "tests/support/random_poses.h"
 #include "tests/support/segment_distance.h"
 
+#include <array>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -236,6 +237,28 @@ TEST(RoundBodies, MayBeInsideOfSolids) {
 Pose placed_in(const Pose& frame, const Pose& pose) {
     const Eigen::Quaterniond turn = frame.rotation.normalized();
     return {turn * pose.translation + frame.translation, turn * pose.rotation.normalized()};
+}
+
+/// Cores that coincide have no direction from one to the other.
+TEST(RoundBodies, MayHaveTheSameMiddle) {
+    const std::array bodies{make_sphere(0.5), make_sphere(0.25), make_capsule(0.5, 1), make_capsule(0.25, 2),
+                            make_points(std::array{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.5)};
+    for (const Polyhedron& moving : bodies)
+        for (const Polyhedron& fixed : bodies)
+            for (const Find find : {Find::first, Find::any, Find::first_with_all_contacts})
+                for (const double margin : {0.0, 0.25}) {
+                    QueryOptions options{.margin = margin, .find = find};
+                    if (margin > 0)
+                        options.hold = 0.1;
+                    const FirstContact found =
+                        first_contact({moving, fixed, ScrewMotion::between(Pose(), shifted(1, 0, 0)), options});
+                    ASSERT_EQ(found.verdict, Verdict::contact_at_start);
+                    ASSERT_FALSE(found.contacts.empty());
+                    for (const Contact& contact : found.contacts) {
+                        EXPECT_NEAR(contact.normal.norm(), 1, 1e-12);
+                        EXPECT_LE(contact.gap, -std::min(moving.radius(), fixed.radius()));
+                    }
+                }
 }
 
 /// A box that stands on a table, at a gap of 0 and of a rounding after a rigid transform of both.
