@@ -59,9 +59,8 @@ struct MeshReport {
     Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< lower corner of the bounding box: of all used vertices,
                                                      ///< widened by the radius; in the length unit
     Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner
-    double radius = 0; ///< the body is its polyhedron and all points within so much of it, in the length unit
-    double moved_inwards =
-        0; ///< the faces have moved inwards by at most so much: the body has been made with a radius below 0
+    double radius = 0;         ///< the body is its polyhedron and all points within so much of it, in the length unit
+    double moved_inwards = 0;  ///< faces have moved inwards by at most so much: made with a radius below 0
     std::size_t bvh_nodes = 0; ///< nodes of the bounding volume hierarchy (BVH)
     std::size_t bvh_depth = 0; ///< levels of the BVH
     std::size_t bvh_bytes = 0; ///< memory of the BVH in bytes
