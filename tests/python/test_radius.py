@@ -10,17 +10,21 @@ from cubes import CUBE_FACES, CUBE_VERTICES
 import chasles
 
 
+def at(x, y=0, z=0):
+    return [x, y, z, 1, 0, 0, 0]
+
+
 def test_round_bodies_meet_at_the_sum_of_their_radii():
     ball, pill = chasles.sphere(0.5), chasles.capsule(0.25, 2)
     cloud = chasles.points([[0, 0, 0], [0, 0, 5]], 0.25)
     for other in (pill, cloud):
-        found = chasles.first_contact(ball, other, [4.75, 0, 0], [0.75, 0, 0])
+        found = chasles.first_contact(ball, other, at(4.75, 0, 0), at(0.75, 0, 0))
         assert found.verdict == "contact"
         assert found.time == pytest.approx(1, abs=1e-11)
         assert np.allclose(found.contacts[0].point, [0.25, 0, 0])
         assert found.contacts[0].gap == pytest.approx(0, abs=1e-9)
-    assert chasles.first_contact(ball, pill, [4.75, 0, 0], [0.7500001, 0, 0]).verdict == "clear"
-    assert chasles.least_distance(ball, pill, [4, 0, 0], [3, 0, 0]).distance_upper == pytest.approx(2.25, rel=1e-6)
+    assert chasles.first_contact(ball, pill, at(4.75, 0, 0), at(0.7500001, 0, 0)).verdict == "clear"
+    assert chasles.least_distance(ball, pill, at(4, 0, 0), at(3, 0, 0)).distance_upper == pytest.approx(2.25, rel=1e-6)
 
 
 def test_every_way_to_a_body_takes_a_radius(tmp_path, cube):
@@ -37,7 +41,7 @@ def test_every_way_to_a_body_takes_a_radius(tmp_path, cube):
         assert body.radius == body.report.radius == 0.5
         copy = pickle.loads(pickle.dumps(body))
         assert copy.radius == 0.5
-        assert chasles.first_contact(copy, cube, [4, 0, 0], [0, 0, 0]).time == 0.625
+        assert chasles.first_contact(copy, cube, at(4, 0, 0), at(0, 0, 0)).time == pytest.approx(0.625, abs=1e-11)
 
 
 def test_parts_that_touch_by_design_may_slide(cube):
@@ -45,15 +49,15 @@ def test_parts_that_touch_by_design_may_slide(cube):
     assert (block.radius, block.report.moved_inwards) == (0, 1e-6)
     for body in (block, pickle.loads(pickle.dumps(block)), cube.with_radius(-1e-6)):
         assert np.array_equal(body.vertices, block.vertices)
-        assert chasles.first_contact(body, cube, [1, 0, 0], [1, 0.5, 0]).verdict == "clear"
-        assert chasles.first_contact(body, cube, [1, 0, 0], [0.5, 0, 0]).time == pytest.approx(2e-6, rel=1e-6)
+        assert chasles.first_contact(body, cube, at(1, 0, 0), at(1, 0.5, 0)).verdict == "clear"
+        assert chasles.first_contact(body, cube, at(1, 0, 0), at(0.5, 0, 0)).time == pytest.approx(2e-6, rel=1e-6)
 
 
 def test_scenes_and_robots(tmp_path):
     scene = chasles.Scene()
-    scene.add("ball", chasles.sphere(1), [0, 0, 0])
-    scene.add("other", chasles.sphere(1), [4, 0, 0], goal=[0, 0, 0])
-    assert scene.first_contact().contacts[0].time == 0.5
+    scene.add("ball", chasles.sphere(1), at(0))
+    scene.add("other", chasles.sphere(1), at(4), goal=at(0))
+    assert scene.first_contact().time == pytest.approx(0.5, abs=1e-11)
     urdf = tmp_path / "box.urdf"
     shape = "<collision><geometry><box size='2 2 2'/></geometry></collision>"
     urdf.write_text(f"<robot name='r'><link name='a'>{shape}</link></robot>")
