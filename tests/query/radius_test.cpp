@@ -99,7 +99,7 @@ TEST(Spheres, OnAnArmMeetAtTheAngleOfTheClosedForm) {
         EXPECT_NEAR(found.time.lower, (middle - std::acos(cosine)) / angle, 3e-12 / angle + 1e-12);
         ++contacts;
     }
-    EXPECT_GT(contacts, rounds() / 10);
+    EXPECT_GT(contacts, rounds() / 20);
 }
 
 Segment3 placed(const Pose& pose, double length) {
