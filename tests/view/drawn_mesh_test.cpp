@@ -1,9 +1,12 @@
 // Triangles cover the faces, lines are the visible edges, and vertices are in single precision relative to the body.
 #include "view/drawn_mesh.h"
 
+#include "chasles/mesh/primitives.h"
 #include "tests/mesh/shapes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles {
 namespace {
@@ -69,6 +72,39 @@ TEST(DrawnMesh, KeepsTheShapeOfABodyFarFromItsOrigin) {
     const view::DrawnMesh mesh = drawn(soup);
     for (std::size_t i = 0; i < soup.vertices.size(); ++i)
         EXPECT_LE((corner(mesh, static_cast<std::uint32_t>(i)) - soup.vertices[i]).norm(), 1e-9);
+}
+
+/// A sixth of the sum of the volumes over all triangles: positive if they turn outwards.
+double volume(const view::DrawnMesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        sum += corner(mesh, a).dot(corner(mesh, b).cross(corner(mesh, c))) / 6;
+    return sum;
+}
+
+TEST(DrawnMesh, ShowsRoundBodiesRound) {
+    const view::DrawnMesh ball = view::drawn_mesh(make_sphere(2));
+    for (const auto& triangle : ball.triangles)
+        for (const std::uint32_t vertex : triangle)
+            EXPECT_NEAR(corner(ball, vertex).norm(), 2, 1e-6);
+    const double of_ball = 4.0 / 3 * std::numbers::pi * 8;
+    EXPECT_NEAR(volume(ball), of_ball, 0.05 * of_ball);
+    const view::DrawnMesh capsule = view::drawn_mesh(make_capsule(2, 3)); // both ends are whole balls
+    for (const auto& triangle : capsule.triangles)
+        for (const std::uint32_t vertex : triangle) {
+            const Eigen::Vector3d place = corner(capsule, vertex);
+            EXPECT_LE((place - Eigen::Vector3d(0, 0, std::clamp(place.z(), -1.5, 1.5))).norm(), 2 + 1e-6);
+        }
+    EXPECT_GT(volume(capsule), 2 * 0.95 * of_ball);
+    Eigen::AlignedBox3d box;
+    const view::DrawnMesh round = view::drawn_mesh(make_box({1, 2, 3}).with_radius(0.5));
+    for (std::size_t i = 0; i < round.vertices.size(); ++i)
+        box.extend(corner(round, std::uint32_t(i)));
+    EXPECT_TRUE(box.sizes().isApprox(Eigen::Vector3d(2, 3, 4), 1e-2)) << box.sizes().transpose();
+    std::vector<Eigen::Vector3d> cloud(30'000, Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        cloud[i].x() = double(i);
+    EXPECT_LT(view::drawn_mesh(make_points(cloud, 0.5)).triangles.size(), 1'000'000U);
 }
 
 } // namespace
