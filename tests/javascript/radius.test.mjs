@@ -33,7 +33,7 @@ test("scenes of round bodies", () => {
   const scene = chasles.scene();
   scene.add("ball", chasles.sphere(1), { pose: [0, 0, 0] });
   scene.add("other", chasles.sphere(1), { pose: [4, 0, 0], goal: [0, 0, 0] });
-  assert.equal(scene.firstContact().contacts[0].time, 0.5);
+  assert.ok(Math.abs(scene.firstContact().time - 0.5) < 1e-11);
 });
 
 test("sizes that no body has are refused", () => {
