@@ -82,12 +82,14 @@ PcdHeader read_pcd_header(std::string_view bytes) {
             for (std::size_t i = 0; i < values; ++i)
                 set(header.fields[i], words[i + 1]);
         };
-        if (words[0] == "FIELDS")
+        if (words[0] == "FIELDS" && header.fields.empty())
             for (std::size_t i = 0; i < values; ++i)
                 header.fields.push_back({words[i + 1]});
         else if (words[0] == "SIZE")
             for_each_field([&](auto& field, const std::string& word) {
-                field.size = std::min<std::size_t>(count_in(word, lines.number()), 16);
+                field.size = count_in(word, lines.number());
+                if (field.size != 1 && field.size != 2 && field.size != 4 && field.size != 8)
+                    fail_at_line(lines.number(), "a number has 1, 2, 4 or 8 bytes, not " + word);
             });
         else if (words[0] == "TYPE")
             for_each_field([&](auto& field, const std::string& word) { field.type = word[0]; });

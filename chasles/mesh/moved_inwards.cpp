@@ -1,6 +1,5 @@
 #include "chasles/mesh/moved_inwards.h"
 
-#include "chasles/base/flat_lists.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 #include "chasles/mesh/face_normal.h"
@@ -8,7 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+#include <map>
 #include <string>
 
 namespace chasles {
@@ -41,33 +40,37 @@ bool contains(const Cap& cap, const Vector3d& normal) {
     return cap.middle.dot(normal) >= cap.cosine - on_rim;
 }
 
-/// The faces around each place: vertices with equal coordinates, and those of a seam, are one place.
-class Places {
+/// The normals of the faces around vertices. Those with equal coordinates, and those of a seam, have the same.
+class Normals {
 public:
-    explicit Places(const Body& body) : place_(first_equal_vertices(body.vertices())) {
-        for (std::uint32_t& place : place_)
-            place = body.volume().place_of(place);
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;
-        for (std::size_t face = 0; face < body.face_count(); ++face)
-            for (const std::uint32_t vertex : body.face(face))
-                if (!body.is_segment(face))
-                    corners.emplace_back(place_[vertex], std::uint32_t(face));
-        std::ranges::sort(corners);
-        faces_.offsets.assign(place_.size() + 1, 0);
-        for (const auto& [place, face] : corners) {
-            ++faces_.offsets[place + 1];
-            faces_.items.push_back(face);
-        }
-        for (std::size_t i = 1; i < faces_.offsets.size(); ++i)
-            faces_.offsets[i] += faces_.offsets[i - 1];
+    explicit Normals(const Body& body) : body_(body), first_equal_(first_equal_vertices(body.vertices())) {
+        for (std::uint32_t face = 0; face < body.face_count(); ++face)
+            of_face_.push_back(face_normal(body, face));
+        for (const auto& [from, to] : body.volume().joined)
+            joined_.emplace(to, from);
     }
 
-    [[nodiscard]] std::uint32_t of(std::size_t vertex) const { return place_[vertex]; }
-    [[nodiscard]] std::span<const std::uint32_t> faces_around(std::uint32_t place) const { return faces_[place]; }
+    [[nodiscard]] std::vector<Vector3d> around(std::size_t vertex) const {
+        const std::uint32_t place = body_.volume().place_of(first_equal_[vertex]);
+        std::vector<Vector3d> normals;
+        add_around(place, normals);
+        const auto [begin, end] = joined_.equal_range(place);
+        for (auto other = begin; other != end; ++other)
+            add_around(other->second, normals);
+        return normals;
+    }
 
 private:
-    std::vector<std::uint32_t> place_; ///< for each vertex
-    FlatLists<std::uint32_t> faces_;   ///< for each place
+    void add_around(std::uint32_t vertex, std::vector<Vector3d>& normals) const {
+        for (const std::uint32_t face : body_.faces_around(vertex))
+            if (of_face_[face].has_plane())
+                normals.push_back(of_face_[face].unit);
+    }
+
+    const Body& body_;
+    std::vector<std::uint32_t> first_equal_;
+    std::vector<FaceNormal> of_face_;
+    std::multimap<std::uint32_t, std::uint32_t> joined_; ///< from the place of a seam to its other vertices
 };
 
 /// The shift of a vertex that moves each plane against its normal, by at most the distance.
@@ -86,8 +89,7 @@ void require_closed(const Body& body, double distance) {
     if (report.unpaired_edges > 0 || report.segments > 0)
         throw InvalidInput("mesh: radius: " + number_text(-distance) +
                            " moves the faces of a closed body inwards, and this surface is not closed, or its faces "
-                           "are not turned the "
-                           "same way, along " +
+                           "are not turned the same way, along " +
                            std::to_string(report.unpaired_edges + report.segments) +
                            " edges; mend the mesh, or leave its radius at 0");
 }
@@ -150,21 +152,11 @@ Cap smallest_cap(std::span<const Vector3d> given) {
 
 std::vector<Vector3d> moved_inwards(const Body& body, double distance) {
     require_closed(body, distance);
-    const Places places(body);
-    std::vector<FaceNormal> faces;
-    for (std::uint32_t face = 0; face < body.face_count(); ++face)
-        faces.push_back(face_normal(body, face));
+    const Normals normals(body);
     std::vector<Vector3d> moved(body.vertices().begin(), body.vertices().end());
-    std::vector<Vector3d> normals;
-    for (std::size_t vertex = 0; vertex < moved.size(); ++vertex) {
-        const auto around = places.faces_around(places.of(vertex));
-        normals.clear();
-        for (const std::uint32_t face : around)
-            if (faces[face].has_plane())
-                normals.push_back(faces[face].unit);
-        if (!normals.empty())
-            moved[vertex] += shift_against(normals, distance);
-    }
+    for (std::size_t vertex = 0; vertex < moved.size(); ++vertex)
+        if (const std::vector<Vector3d> around = normals.around(vertex); !around.empty())
+            moved[vertex] += shift_against(around, distance);
     require_turned_alike(body, moved, distance);
     return moved;
 }

@@ -25,8 +25,8 @@ CHASLES_EXPORT Polyhedron make_capsule(double radius, double length);
 /// the radius is positive, and with the number of the point as from_polygons.
 CHASLES_EXPORT Polyhedron make_points(std::span<const Eigen::Vector3d> points, double radius);
 
-/// The points of a file: PLY, OBJ and OFF by their vertices, PCD (ascii or binary), and tables of numbers (.xyz, .csv,
-/// .txt, .pts). Throws InvalidInput with the file, the line if the format has lines, and the reason. Defined in
+/// The points of a file: PLY, OBJ and OFF by their vertices, PCD (ascii or binary), and tables of numbers (.xyz, .csv
+/// and .txt). Throws InvalidInput with the file, the line if the format has lines, and the reason. Defined in
 /// chasles/io/point_files.cpp.
 CHASLES_EXPORT Polyhedron load_points(const std::filesystem::path& file, double radius);
 

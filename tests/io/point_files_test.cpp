@@ -54,6 +54,7 @@ TEST(PointFiles, PcdIsRefusedWithTheReason) {
     EXPECT_EQ(why("FIELDS x y\nSIZE 4 4 4\n"), "line 2: SIZE has another number of values than FIELDS");
     EXPECT_EQ(why("FIELDS x y\nPOINTS 1\nDATA ascii\n1 2\n"), "there is no field z");
     EXPECT_EQ(why("FIELDS x\nSIZE -1\n"), "line 2: '-1' is no count");
+    EXPECT_EQ(why("FIELDS x\nSIZE 0\n"), "line 2: a number has 1, 2, 4 or 8 bytes, not 0");
     EXPECT_EQ(why("POINTS 99999999999\n"), "line 1: '99999999999' is no count");
 }
 

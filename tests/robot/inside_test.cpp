@@ -2,6 +2,7 @@
 #include "chasles/mesh/primitives.h"
 #include "chasles/robot/pair_proof.h"
 #include "chasles/robot/robot.h"
+#include "tests/robot/turning_arm.h"
 #include "tests/support/random_poses.h"
 
 #include <gtest/gtest.h>
@@ -9,28 +10,13 @@
 namespace chasles::test {
 namespace {
 
-/// A ball on a rod that turns about z; the rod has no shape.
-Robot turning_ball(const Polyhedron& ball, double distance, const std::vector<CollisionDescription>& base = {}) {
-    RobotDescription robot{"turning"};
-    Pose place;
-    place.translation.x() = distance;
-    robot.links = {{"base", base}, {"between"}, {"arm", {{ball, place}}}};
-    JointDescription fixed{"fixed", JointType::fixed, "base", "between"};
-    JointDescription turn{"turn", JointType::revolute, "between", "arm"};
-    turn.axis = Eigen::Vector3d::UnitZ();
-    turn.lower = -3;
-    turn.upper = 3;
-    robot.joints = {fixed, turn};
-    return Robot(robot);
-}
-
 Configuration at(double angle) {
     return Configuration::Constant(1, angle);
 }
 
 TEST(InsideOfRobots, ALinkInAnObstacleIsAContactAtTheStart) {
     const Polyhedron ball = enclosing_sphere(0.1, 0.001).shape;
-    const Robot robot = turning_ball(ball, 1);
+    const Robot robot = turning_arm(ball, 1);
     Scene scene;
     scene.add({"hall", make_box({9, 9, 9}), Motion::at_rest(Pose())});
     Scene hollow;
@@ -58,7 +44,7 @@ TEST(InsideOfRobots, ALinkInAnObstacleIsAContactAtTheStart) {
 TEST(InsideOfRobots, LinksThatAreAlwaysInEachOtherAlwaysTouch) {
     const Polyhedron ball = enclosing_sphere(0.1, 0.001).shape;
     const auto reason = [&](const std::vector<CollisionDescription>& base, double distance) {
-        Robot robot = turning_ball(ball, distance, base);
+        Robot robot = turning_arm(ball, distance, base);
         robot.test("base", "arm");
         return prove_pairs(robot).front().reason;
     };

@@ -2,6 +2,7 @@
 #include "chasles/mesh/primitives.h"
 #include "chasles/robot/pair_proof.h"
 #include "chasles/robot/robot.h"
+#include "tests/robot/turning_arm.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
 
@@ -15,24 +16,9 @@ Configuration at(double angle) {
     return Configuration::Constant(1, angle);
 }
 
-/// A shape on an arm of this length that turns about z, and another one on the base.
-Robot arm(const Polyhedron& shape, double length, const Polyhedron& on_base, const Pose& on_base_at) {
-    RobotDescription robot{"arm"};
-    Pose place;
-    place.translation.x() = length;
-    robot.links = {{"base", {{on_base, on_base_at}}}, {"between", {}}, {"arm", {{shape, place}}}};
-    JointDescription fixed{"fixed", JointType::fixed, "base", "between"};
-    JointDescription turn{"turn", JointType::revolute, "between", "arm"};
-    turn.axis = Eigen::Vector3d::UnitZ();
-    turn.lower = -4;
-    turn.upper = 4;
-    robot.joints = {fixed, turn};
-    return Robot(robot);
-}
-
 TEST(RoundLinks, MeetObstaclesAtTheAngleOfTheClosedForm) {
     const Pose away({0, 0, 9}, Eigen::Quaterniond::Identity());
-    const Robot robot = arm(make_sphere(0.3), 2, make_sphere(0.1), away);
+    const Robot robot = turning_arm(make_sphere(0.3), 2, {{make_sphere(0.1), away}});
     for (const double radius : {0.01, 0.2, 1.0}) {
         Scene scene;
         scene.add({"ball", make_sphere(radius), Motion::at_rest(Pose({0, 2, 0}, Eigen::Quaterniond::Identity()))});
@@ -62,7 +48,7 @@ TEST(RoundLinks, AnswerAsLinksWithALargerMargin) {
         const auto answer = [&](double radius, double margin) {
             Scene scene;
             scene.add({"obstacle", obstacle.with_radius(radius), Motion::at_rest(obstacle_at)});
-            const Robot robot = arm(moving.with_radius(radius), 1, fixed.with_radius(radius), fixed_at);
+            const Robot robot = turning_arm(moving.with_radius(radius), 1, {{fixed.with_radius(radius), fixed_at}});
             return RobotChecker(robot, &scene, {.options = {.margin = margin}}).first_contact(at(0), at(3));
         };
         const RobotAnswer round_bodies = answer(a, 0x1p-6), plain = answer(0, 0x1p-6 + 2 * a);
@@ -75,20 +61,20 @@ TEST(RoundLinks, AnswerAsLinksWithALargerMargin) {
 }
 
 TEST(RoundLinks, AreEnclosedInAShapeOfTheWholeRobot) {
-    const Robot robot = arm(make_sphere(0.3), 2, make_capsule(0.5, 1), Pose());
+    const Robot robot = turning_arm(make_sphere(0.3), 2, {{make_capsule(0.5, 1), Pose()}});
     const MeshReport report = robot.shape(at(0)).report();
     EXPECT_EQ(report.solid_parts, 2U);
     EXPECT_GE(report.upper.x(), 2.3);
     EXPECT_LE(report.upper.x(), 2.3 + 0.0031);
     EXPECT_GE(report.lower.z(), -1.006);
     EXPECT_LE(report.lower.z(), -1);
-    const Robot mesh = arm(make_box({1, 1, 1}).with_radius(0.1), 2, make_sphere(1), Pose());
+    const Robot mesh = turning_arm(make_box({1, 1, 1}).with_radius(0.1), 2, {{make_sphere(1), Pose()}});
     EXPECT_NE(refusal([&] { (void)mesh.shape(at(0)); }).find("has meshes with a radius"), std::string::npos);
 }
 
 TEST(RoundLinks, ThatAlwaysOverlapAreProven) {
     for (const double radius : {0.4, 0.75}) { // 1 from the axis: apart or in each other
-        Robot robot = arm(make_sphere(radius), 1, make_sphere(radius), Pose());
+        Robot robot = turning_arm(make_sphere(radius), 1, {{make_sphere(radius), Pose()}});
         robot.test("base", "arm");
         const auto proofs = prove_pairs(robot);
         ASSERT_EQ(proofs.size(), 1U);
