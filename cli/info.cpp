@@ -116,8 +116,11 @@ std::string parts_report(const std::vector<PartSummary>& parts) {
 
 int run_info(const InfoOptions& options) {
     if (is_robot_file(options.mesh))
-        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages, options.polyhedron.solid,
-                               fmt::format("{}", options.polyhedron.radius)},
+        return run_robot_info({options.mesh,
+                               options.robot.srdf,
+                               options.robot.packages,
+                               options.polyhedron.solid,
+                               {options.polyhedron.radius, 0}},
                               options.json);
     if (!options.robot.srdf.empty() || !options.robot.packages.empty())
         throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +

@@ -72,32 +72,31 @@ void add_radius_option(CLI::App& command, double& radius) {
         ->type_name("R");
 }
 
-CLI::Option* add_radii_option(CLI::App& command, std::string& radii, const char* of_what) {
-    return command
-        .add_option("--radius", radii,
-                    std::string("radii of ") + of_what +
-                        ": all points within this distance belong to it; below 0: faces move inwards by so much, an "
-                        "overlap that is allowed (default 0)")
+void add_radii_option(CLI::App& command, std::pair<double, double>& radii, const std::string& of_what) {
+    const auto read = [&radii](const std::string& text) {
+        const std::vector<double> numbers = at_place("--radius", [&] { return io::parse_numbers(text); });
+        if (numbers.empty() || numbers.size() > 2)
+            throw InvalidInput("--radius: needs one or two numbers, A or A,B");
+        radii = {numbers[0], numbers.size() == 2 ? numbers[1] : 0};
+    };
+    command
+        .add_option_function<std::string>("--radius", read,
+                                          "radii of " + of_what +
+                                              ": all points within this distance belong to it; below 0: faces move "
+                                              "inwards by so much, an overlap that is allowed (default 0)")
         ->type_name("A[,B]");
-}
-
-std::pair<double, double> radii_of(const std::string& text) {
-    const std::vector<double> radii = at_place("--radius", [&] { return io::parse_numbers(text); });
-    if (radii.empty() || radii.size() > 2)
-        throw InvalidInput("--radius: needs one or two numbers, A or A,B");
-    return {radii[0], radii.size() == 2 ? radii[1] : 0};
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {
     command.add_option("MOVING", options.moving, "mesh of the moving body")->required()->type_name("FILE");
     command.add_option("FIXED", options.fixed, "mesh of the fixed body")->required()->type_name("FILE");
     add_mesh_options(command, options.polyhedron);
-    add_radii_option(command, options.radius, "the moving and of the fixed body");
+    add_radii_option(command, options.radii, "the moving and of the fixed body");
 }
 
 Bodies load_bodies(const BodyOptions& options) {
     std::vector<std::string> warnings;
-    const auto [of_moving, of_fixed] = radii_of(options.radius);
+    const auto [of_moving, of_fixed] = options.radii;
     PolyhedronOptions polyhedron = options.polyhedron;
     polyhedron.radius = of_moving;
     const MeshWithUnit moving = load_with_unit(options.moving, polyhedron, warnings);

@@ -24,7 +24,7 @@ struct BodyOptions {
     std::string moving;
     std::string fixed;
     PolyhedronOptions polyhedron;
-    std::string radius = "0"; ///< A[,B]
+    std::pair<double, double> radii; ///< of the moving and of the fixed body
 };
 
 struct Bodies {
@@ -45,8 +45,7 @@ void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 /// One radius for all bodies that a file gives none.
 void add_radius_option(CLI::App& command, double& radius);
 /// The radii of two bodies, A[,B].
-CLI::Option* add_radii_option(CLI::App& command, std::string& radii, const char* of_what);
-std::pair<double, double> radii_of(const std::string& text);
+void add_radii_option(CLI::App& command, std::pair<double, double>& radii, const std::string& of_what);
 void add_body_options(CLI::App& command, BodyOptions& options);
 
 /// Loads both bodies. If both have the same file name, the file is loaded once.

@@ -70,9 +70,9 @@ std::optional<SceneFile> read_scene(const RobotCommand& options) {
         return std::nullopt;
     const std::optional<double> margin =
         options.query.margin.empty() ? std::nullopt : std::optional(options_of(options.query).margin);
-    SceneFile scene = load_scene(
-        options.scene,
-        {.triangulate = true, .solid = options.robot.solid, .radius = radii_of(options.robot.radius).second}, margin);
+    SceneFile scene =
+        load_scene(options.scene,
+                   {.triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.second}, margin);
     if (scene.ignores_touching_at_start)
         throw InvalidInput(io::one_line(options.scene) +
                            ": ignore_touching_at_start: is not for robots; leave it out, and name what a robot may "
@@ -109,7 +109,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     const QueryOptions query = query_of(options, scene);
     std::vector<std::string> warnings = robot.warnings();
     const PolyhedronOptions attached{
-        .triangulate = true, .solid = options.robot.solid, .radius = radii_of(options.robot.radius).first};
+        .triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.first};
     change(robot, scene ? &scene->scene : nullptr, options.changes, attached, warnings);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     if (scene) {
@@ -303,7 +303,7 @@ void add_robot(CLI::App& app, Task& task) {
     const auto options = std::make_shared<RobotCommand>();
     CLI::App& command = *app.add_subcommand("robot", "Does a robot touch its world or itself along a path?");
     add_robot_options(command, options->robot);
-    add_radii_option(command, options->robot.radius, "the shapes of the robot and of the bodies of the scene");
+    add_radii_option(command, options->robot.radii, "the shapes of the robot and of the bodies of the scene");
     add_robot_change_options(command, options->changes);
     command
         .add_option("--path", options->path,

@@ -23,7 +23,7 @@ void add_robot_file_options(CLI::App& command, RobotOptions& options) {
 }
 
 Robot load_robot(const RobotOptions& options) {
-    RobotFiles files{.srdf = options.srdf, .solid = options.solid, .radius = radii_of(options.radius).first};
+    RobotFiles files{.srdf = options.srdf, .solid = options.solid, .radius = options.radii.first};
     for (const std::string& given : options.packages) {
         const std::size_t sign = given.find('=');
         if (sign == 0 || sign == std::string::npos || sign + 1 == given.size())

@@ -14,7 +14,7 @@ struct RobotOptions {
     std::string srdf;
     std::vector<std::string> packages; ///< NAME=FOLDER
     Solid solid = Solid::automatic;
-    std::string radius = "0"; ///< A[,B]: of the robot's shapes, and of the scene's bodies
+    std::pair<double, double> radii; ///< of the robot's shapes, and of the scene's bodies
 };
 
 /// The file of the robot, and the options about further files; and these options alone.
