@@ -97,6 +97,7 @@ void add_acm(CLI::App& app, Task& task) {
     const auto options = std::make_shared<AcmOptions>();
     CLI::App& command = *app.add_subcommand("acm", "Which links of a robot can ever touch? Proven, not sampled.");
     add_robot_options(command, options->robot);
+    add_radius_option(command, options->robot.radii.first, "a shape of the robot");
     command.add_option("--seconds", options->seconds, "what is not decided after this time stays open")
         ->type_name("T")
         ->capture_default_str();

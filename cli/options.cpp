@@ -63,12 +63,12 @@ void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
     add_solid_option(command, options.solid);
 }
 
-void add_radius_option(CLI::App& command, double& radius) {
+void add_radius_option(CLI::App& command, double& radius, const std::string& of_what) {
     command
         .add_option_function<std::string>(
             "--radius", [&radius](const std::string& text) { radius = number_of("--radius", text); },
-            "the bodies are their meshes and all points within this distance; below 0: faces move inwards by so much, "
-            "an overlap that is allowed")
+            "all points within this distance of " + of_what +
+                " belong to it; below 0: faces move inwards by so much, an overlap that is allowed (default 0)")
         ->type_name("R");
 }
 

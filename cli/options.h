@@ -42,8 +42,8 @@ void add_query_options(CLI::App& command, QuestionOptions& options);
 Solid solid_of(const std::string& text);
 void add_solid_option(CLI::App& command, Solid& solid);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
-/// One radius for all bodies that a file gives none.
-void add_radius_option(CLI::App& command, double& radius);
+/// One radius for all bodies that a file gives none, or for all shapes of a robot.
+void add_radius_option(CLI::App& command, double& radius, const std::string& of_what = "a mesh");
 /// The radii of two bodies, A[,B].
 void add_radii_option(CLI::App& command, std::pair<double, double>& radii, const std::string& of_what);
 void add_body_options(CLI::App& command, BodyOptions& options);

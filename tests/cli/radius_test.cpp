@@ -94,6 +94,26 @@ TEST_F(RadiusCommand, IsForRobotsAndTheirScenes) {
               std::string::npos);
 }
 
+/// A leaf slides towards a post: their gap is from 1 down to 0.5, or to -0.5.
+TEST_F(RadiusCommand, IsForPairsOfLinks) {
+    const auto reason = [&](const char* lower, const std::string& options) -> std::string {
+        const std::string box = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
+        write("slide.urdf", "<robot name='r'><link name='post'>" + box + "</link><link name='leaf'>" + box +
+                                "</link><joint name='slide' type='prismatic'><parent link='post'/><child link='leaf'/>"
+                                "<origin xyz='2 0 0'/><axis xyz='1 0 0'/><limit lower='" +
+                                lower + "' upper='0' velocity='1' effort='1'/></joint></robot>");
+        write("slide.srdf", "<robot name='r'><enable_collisions link1='post' link2='leaf'/></robot>");
+        return answer("acm slide.urdf --srdf slide.srdf " + options)["pairs"][0]["reason"];
+    };
+    EXPECT_EQ(reason("-0.5", ""), "never");
+    EXPECT_EQ(reason("-0.5", "--radius 0.2"), "never");
+    EXPECT_EQ(reason("-0.5", "--radius 0.3"), "sometimes");
+    EXPECT_EQ(reason("-0.5", "--radius 0.6"), "always");
+    EXPECT_EQ(reason("-1.5", ""), "sometimes");
+    EXPECT_EQ(reason("-1.5", "--radius -0.3"), "never");
+    EXPECT_EQ(run("acm slide.urdf --radius 1,2").err.substr(0, 18), "chasles: --radius:");
+}
+
 TEST_F(RadiusCommand, PagesDrawRoundBodies) {
     write(
         "scene.json",
