@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from ._core import FirstContact, InvalidInput, Polyhedron, ScrewMotion
 from .enums import Verdict
+from .round_polygons import round_polygons
 
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d import Axes3D
@@ -20,6 +21,7 @@ MOVING, FIXED, CONTACT = "#e69f00", "#3f8fc8", "#d4147f"
 
 MOST_OUTLINED = 1500  # faces; with more outlines a body is black
 MOST_TRIANGLES = 8000  # matplotlib sorts all triangles for every drawing
+LEAST_ROUND = 0.005  # of a body's size: a smaller radius is not seen
 SAMPLES = 121
 
 
@@ -32,8 +34,8 @@ def plot(
     """Draw the bodies at the contact (or at the goal, if clear), earlier poses as ghosts, and the moving body's path.
 
     Contact points are dots, and normals are arrows from the fixed body to the moving body. They are drawn in front of
-    the bodies, because most contacts lie hidden between the bodies. Large meshes are simplified; `view` draws them in
-    full. A swapped answer is drawn as the query had it.
+    the bodies, because most contacts lie hidden between the bodies. Bodies with a radius are drawn round. Large meshes
+    are simplified; `view` draws them in full. A swapped answer is drawn as the query had it.
 
     Parameters
     ----------
@@ -66,11 +68,11 @@ def plot(
     moving, fixed = _polygons(found.moving), _polygons(found.fixed)
     moving_pose = motion(1.0) if is_clear else np.asarray(found.pose)
     fixed_pose = found.motion.fixed_pose_at(1.0) if is_clear else found.fixed_pose
-    bodies = [(_moved(fixed, fixed_pose), FIXED), (_moved(moving, moving_pose), MOVING)]
+    drawn = [_moved(fixed, fixed_pose), _moved(moving, moving_pose)]
     _draw_ghosts(axes, [_moved(moving, motion(time)) for time in _ghost_times(end, ghosts)])
-    _draw_solid(axes, bodies)
+    _draw_solid(axes, drawn, [_is_drawn_round(found.fixed), _is_drawn_round(found.moving)])
     _draw_path(axes, found.moving, motion)
-    _draw_contacts(axes, found, _extent([polygons for polygons, _ in bodies]))
+    _draw_contacts(axes, found, _extent(drawn))
     _label(axes, found)
     axes.autoscale_view()
     axes.set_aspect("equal")
@@ -102,11 +104,31 @@ def _ghost_times(end: float, count: int) -> Array:
 
 
 def _polygons(body: Polyhedron) -> list[Array]:
-    """The faces, or, if there are too many, triangles of a simplified mesh."""
+    """The faces, or, if there are too many, triangles of a simplified mesh; of a round body its round surface."""
     vertices = np.asarray(body.vertices)
+    if _is_drawn_round(body):
+        return _round(body, vertices)
     if len(body.faces) <= MOST_OUTLINED:
         return [vertices[list(face)] for face in body.faces]
     return list(vertices[_coarse(vertices, np.asarray(body.triangles))])
+
+
+def _is_drawn_round(body: Polyhedron) -> bool:
+    """Points and segments always, because they have no faces."""
+    size = float(np.linalg.norm(np.ptp(np.asarray(body.vertices), axis=0)))
+    return body.radius > 0 and (body.report.segments > 0 or body.radius > LEAST_ROUND * size)
+
+
+def _round(body: Polyhedron, vertices: Array) -> list[Array]:
+    report = body.report
+    outlines = body.faces
+    if len(outlines) > MOST_OUTLINED:
+        whole = np.asarray(body.triangles)
+        whole = whole[(whole[:, 0] != whole[:, 1]) & (whole[:, 1] != whole[:, 2])]
+        thin = [outline for outline in outlines if len(set(outline)) < 3]
+        outlines = thin + [tuple(triangle) for triangle in _coarse(vertices, whole).tolist()]
+    is_solid = report.solid_parts == report.parts and report.volume > 0
+    return round_polygons(vertices, outlines, body.radius, MOST_TRIANGLES, is_solid=is_solid)
 
 
 def _coarse(vertices: Array, triangles: npt.NDArray[np.uint32]) -> npt.NDArray[np.uint32]:
@@ -148,14 +170,15 @@ def _shaded(polygons: list[Array], colour: str) -> Array:
     return np.clip(brightness[:, None] * np.asarray(to_rgb(colour)), 0, 1)
 
 
-def _draw_solid(axes: Axes3D, bodies: list[tuple[list[Array], str]]) -> None:
+def _draw_solid(axes: Axes3D, bodies: list[list[Array]], are_round: list[bool]) -> None:
     # Both bodies are one collection, because matplotlib sorts faces only within a collection.
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-    polygons = [polygon for body, _ in bodies for polygon in body]
-    colours = np.concatenate([_shaded(body, colour) for body, colour in bodies])
-    is_outlined = len(polygons) <= 2 * MOST_OUTLINED
-    edges = 0.45 * colours if is_outlined else colours
+    polygons = [polygon for body in bodies for polygon in body]
+    shades = [_shaded(body, colour) for body, colour in zip(bodies, (FIXED, MOVING), strict=True)]
+    is_outlined = sum(len(body) for body, is_round in zip(bodies, are_round, strict=True) if not is_round) <= 2 * MOST_OUTLINED
+    colours = np.concatenate(shades)
+    edges = np.concatenate([s if is_round or not is_outlined else 0.45 * s for s, is_round in zip(shades, are_round, strict=True)])
     solid = Poly3DCollection(polygons, facecolors=colours, edgecolors=edges, linewidths=0.5, zorder=2)
     axes.add_collection3d(solid)
     _widen_limits(axes, polygons)
