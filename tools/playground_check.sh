@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 
 node "$work/node_modules/typescript/bin/tsc" -p "$work/playground"
-for test in drag arm files frames; do
+for test in drag arm files radius frames; do
     status=0
     python3 "$here/tests/playground/${test}_test.py" "$page" "$chromium" "$chasles" || status=$?
     [ "$status" -eq 0 ] || [ "$status" -eq 77 ] || exit "$status"

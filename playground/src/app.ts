@@ -8,20 +8,21 @@ import { type OwnFile, ownScene, readOwnFile, warningAbout } from "./own_files";
 import { clearProof, hideTrouble, showButtons, showProof, showStep, showTrouble, withoutForces } from "./panel";
 import { Pointer } from "./pointer";
 import type { Pose } from "./poses";
-import type { Step } from "./protocol";
+import type { Radii, Step } from "./protocol";
 import { Prover } from "./prover";
 import { offer, savedHand } from "./save";
 import { type PlaygroundScene, readyScenes, sceneNamed, usualFriction, withArm } from "./scenes";
 import { View } from "./view";
 import { list } from "./words";
 
+const radiusFields = ["radius-moving", "radius-standing"];
 const unusable = (error: unknown) => `This link cannot be used: ${messageOf(error).replace(/\.$/, "")}.`;
 const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** A scene as a link has it. */
-function sharedScene(scene: PlaygroundScene, { friction = 0, arm }: Shared): PlaygroundScene {
+function sharedScene(scene: PlaygroundScene, { friction = 0, radii = [0, 0], arm }: Shared): PlaygroundScene {
   if (!(friction >= 0 && friction <= 100)) throw new Error("the link's friction is no number from 0 to 100");
-  const rubbed = { ...scene, spec: { ...scene.spec, friction } };
+  const rubbed = { ...scene, spec: { ...scene.spec, friction, radii } };
   if (!scene.arm || !arm) return rubbed;
   const { joints } = scene.arm;
   if (arm.values.length !== joints.length || !joints[arm.active]) throw new Error(`the link's joints are not those of the ${scene.title.toLowerCase()}`);
@@ -84,6 +85,7 @@ export class App implements Shown {
       await this.hand.open(scene, start, pose);
     } catch (error) {
       showTrouble(wordsFor(error));
+      if (this.hand.scene) this.showRadii();
       return false;
     }
     if (isSame) this.hand.isLoose = isLoose;
@@ -95,6 +97,7 @@ export class App implements Shown {
     byId<HTMLInputElement>("loose").checked = this.hand.isLoose;
     byId<HTMLInputElement>("loose").disabled = scene.spec.lock !== undefined;
     byId<HTMLInputElement>("friction").checked = scene.spec.friction > 0;
+    if (!isSame) this.showRadii();
     this.showJoints(scene.arm);
     byId("swap").hidden = scene.id !== "own" || this.own.length < 2;
     this.moved(this.hand.pose);
@@ -191,6 +194,20 @@ export class App implements Shown {
     await this.open({ ...present, spec }, spec.start, this.hand.pose, true);
   }
 
+  private async chooseRadii(): Promise<void> {
+    await this.hand.letGo();
+    hideTrouble();
+    const { present } = this;
+    const radii = radiusFields.map((id) => byId<HTMLInputElement>(id).valueAsNumber || 0) as Radii;
+    for (const id of radiusFields) byId<HTMLInputElement>(id).value ||= "0";
+    const spec = { ...present.spec, radii };
+    await this.open({ ...present, spec }, spec.start, this.hand.pose, true, (error) => `These radii cannot be used here: ${messageOf(error)}.`);
+  }
+
+  private showRadii(): void {
+    this.hand.scene.spec.radii.forEach((radius, index) => (byId<HTMLInputElement>(radiusFields[index]).value = String(radius)));
+  }
+
   private showJoints(arm?: Arm): void {
     byId("joints").hidden = !arm;
     const select = byId<HTMLSelectElement>("joint");
@@ -209,13 +226,13 @@ export class App implements Shown {
     await this.hand.letGo();
     const { pose } = this.hand;
     const scene = this.present;
-    const { start, friction } = scene.spec;
+    const { start, friction, radii } = scene.spec;
     if (scene.id === "own") {
       byId("kept").textContent = "No link is copied: it cannot hold your files. Save the hand instead.";
       return;
     }
     const where = scene.arm ? { arm: scene.arm } : { start, pose };
-    history.replaceState(null, "", fragmentOf({ scene: scene.id, ...where, friction }));
+    history.replaceState(null, "", fragmentOf({ scene: scene.id, ...where, friction, radii }));
     const copied = navigator.clipboard ? await navigator.clipboard.writeText(location.href).then(() => true, () => false) : false;
     byId("kept").textContent = copied ? "The link is copied." : "The link is in the address bar.";
   }
@@ -260,6 +277,7 @@ export class App implements Shown {
     onClick("look-top", () => this.view.lookFrom([0, -0.02, 1]));
     onChange<HTMLInputElement>("loose", ({ checked }) => (this.hand.isLoose = checked));
     onChange<HTMLInputElement>("friction", ({ checked }) => this.chooseFriction(checked));
+    for (const id of radiusFields) onChange<HTMLInputElement>(id, () => this.chooseRadii());
     onChange<HTMLSelectElement>("joint", ({ value }) => this.chooseJoint(Number(value)));
     onChange<HTMLSelectElement>("scene", ({ value }) => this.choose(value));
     addEventListener("hashchange", () => void this.openLink());

@@ -6,6 +6,7 @@ import {
 import { pushedBack } from "../../viewer/src/meshes";
 import { matrixOf, type Pose } from "./poses";
 import type { BodyShape, ContactShown } from "./protocol";
+import { roundSurface } from "./round";
 
 const creaseAngle = 25; // degrees
 const mostWithCreases = 60_000; // triangles
@@ -36,16 +37,17 @@ export class DrawnBody {
 
   constructor(readonly shape: BodyShape, readonly kind: Kind) {
     const middle = new Vector3(...shape.lower).add(new Vector3(...shape.upper)).multiplyScalar(0.5);
-    const vertices = new Float32Array(shape.vertices.length);
-    for (let i = 0; i < vertices.length; ++i) vertices[i] = shape.vertices[i] - middle.getComponent(i % 3);
+    const surface = shape.radius > 0 ? roundSurface(shape) : shape;
+    const vertices = new Float32Array(surface.vertices.length);
+    for (let i = 0; i < vertices.length; ++i) vertices[i] = surface.vertices[i] - middle.getComponent(i % 3);
     const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(vertices, 3));
-    geometry.setIndex(new BufferAttribute(shape.triangles, 1));
+    geometry.setIndex(new BufferAttribute(surface.triangles, 1));
     this.surface = new MeshLambertMaterial({ flatShading: true, ...pushedBack });
     if (kind === "glass") Object.assign(this.surface, { transparent: true, opacity: 0.12, depthWrite: false });
     this.mesh = new Mesh(geometry, this.surface);
     this.group.matrixAutoUpdate = false;
     this.add(this.mesh, middle);
-    if (shape.triangles.length <= 3 * mostWithCreases) this.add(new LineSegments(new EdgesGeometry(geometry, creaseAngle), this.lines), middle);
+    if (shape.radius === 0 && shape.triangles.length <= 3 * mostWithCreases) this.add(new LineSegments(new EdgesGeometry(geometry, creaseAngle), this.lines), middle);
   }
 
   moveTo(pose: Pose): void {

@@ -1,13 +1,15 @@
-// The state of the page in its address: "#nut&start=...&pose=..." with the scene and both poses, to the last digit; for an arm
-// the joint in the hand, and turn and slide of each joint.
+// The state of the page in its address: "#nut&start=...&pose=..." with the scene and both poses, to the last digit, and with
+// friction and radii where they are not 0; for an arm the joint in the hand, and turn and slide of each joint.
 import type { JointValue } from "./arm";
 import type { Pose } from "./poses";
+import type { Radii } from "./protocol";
 
 export interface Shared {
   scene: string;
   start?: Pose;
   pose?: Pose;
   friction?: number;
+  radii?: Radii;
   arm?: { active: number; values: JointValue[] };
 }
 
@@ -21,6 +23,14 @@ function poseIn(text: string | null): Pose | undefined {
   return numbers;
 }
 
+/** One or two numbers. */
+function radiiIn(text: string | null): Radii | undefined {
+  if (text === null) return undefined;
+  const [moving, standing = 0, ...more] = numbersIn(text);
+  if (more.length > 0 || ![moving, standing].every(Number.isFinite)) throw new Error("the link's radii are not two numbers");
+  return [moving, standing];
+}
+
 function armIn(text: string | null): Shared["arm"] {
   if (text === null) return undefined;
   const [active, ...numbers] = numbersIn(text);
@@ -28,9 +38,9 @@ function armIn(text: string | null): Shared["arm"] {
   return { active, values: Array.from({ length: numbers.length / 2 }, (_, i) => ({ turn: numbers[2 * i], slide: numbers[2 * i + 1] })) };
 }
 
-export function fragmentOf({ scene, start, pose, friction, arm }: Shared): string {
+export function fragmentOf({ scene, start, pose, friction, radii, arm }: Shared): string {
   const joints = arm && [arm.active, ...arm.values.flatMap(({ turn, slide }) => [turn, slide])];
-  const values = { start, pose, joints, friction: friction ? [friction] : undefined };
+  const values = { start, pose, joints, friction: friction ? [friction] : undefined, radius: radii?.some((radius) => radius !== 0) ? radii : undefined };
   const parts = Object.entries(values).flatMap(([name, numbers]) => (numbers ? [`${name}=${numbers.join(",")}`] : []));
   return `#${[scene, ...parts].join("&")}`;
 }
@@ -41,5 +51,6 @@ export function sharedIn(fragment: string): Shared | undefined {
   if (scene === "") return undefined;
   const values = new URLSearchParams(rest.join("&").replaceAll("+", "%2B"));
   const friction = Number(values.get("friction") ?? 0);
-  return { scene, start: poseIn(values.get("start")), pose: poseIn(values.get("pose")), arm: armIn(values.get("joints")), friction };
+  const [start, pose] = ["start", "pose"].map((name) => poseIn(values.get(name)));
+  return { scene, start, pose, arm: armIn(values.get("joints")), friction, radii: radiiIn(values.get("radius")) };
 }

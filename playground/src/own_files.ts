@@ -1,7 +1,7 @@
 // Mesh files of the user's own: read by a worker of their own, so that a large or broken one disturbs nothing.
 import { Engine, EngineError } from "./engine";
 import type { Pose } from "./poses";
-import type { BodySpec, FileReport } from "./protocol";
+import type { BodySpec, FileReport, Radii } from "./protocol";
 import type { PlaygroundScene } from "./scenes";
 import { counted, short } from "./words";
 
@@ -57,7 +57,7 @@ export function ownScene(files: OwnFile[]): PlaygroundScene {
   const names = files.map(({ name }, index) => (files.findIndex((other) => other.name === name) < index ? `${name} (2)` : name));
   const bodies: BodySpec[] = files.map(({ name, content }, index) => ({ name: names[index], file: { name, content } }));
   const start = startBeside(moving, files.length > 1 ? files[0] : undefined);
-  const spec = { moving: names.at(-1)!, bodies, start, margin: marginOf(moving, start), friction: 0 };
+  const spec = { moving: names.at(-1)!, bodies, start, margin: marginOf(moving, start), friction: 0, radii: [0, 0] satisfies Radii };
   const about = files.length > 1 ? `${names.at(-1)} is dragged, ${names[0]} stands. ` : `${names[0]} is alone: drop a second file to drag against. `;
   const sizes = files.map(({ report }, index) => `${names[index]}: ${counted(report.triangles, "triangle")}, ${extent(report)}.`).join(" ");
   return { id: "own", title: "Your own files", about: about + sizes, spec, handling: { isLoose: false }, glass: [], ground: [], view: [0.55, -1, 0.5], unit: "" };

@@ -23,8 +23,12 @@ export interface SceneSpec {
   start: Pose;
   margin: number; // 0: the library's own
   friction: number;
+  radii: Radii;
   lock?: Lock;
 }
+
+/** Of the moving body with its parts, and of the bodies that stand. Below 0, faces move inwards. */
+export type Radii = [moving: number, standing: number];
 
 /** The bodies that stand. */
 export const standing = ({ moving, bodies }: SceneSpec) => bodies.filter(({ name, isPart }) => name !== moving && !isPart).map(({ name }) => name);
@@ -38,6 +42,7 @@ export interface BodyShape {
   lower: number[];
   upper: number[];
   isClosed: boolean;
+  radius: number; // above 0: all points within it belong to the body
 }
 
 export interface Opened {

@@ -56,8 +56,10 @@ export function savedHand(title: string, spec: SceneSpec, opened: Opened, sessio
     const extension = file ? (/\.[A-Za-z0-9]+$/.exec(file.name)?.[0] ?? "") : ".obj";
     const mesh = fileOf(file ? name.replace(/\.[A-Za-z0-9]+$/, "") : name, extension);
     const shape = name === spec.moving ? opened.moving : opened.bodies.find((shape) => shape.name === name)!;
+    // a shape is written as it is: its faces have moved inwards already
+    const radius = file ? spec.radii[name === spec.moving ? 0 : 1] : shape.radius;
     meshes.push(file ? { name: mesh, content: new Uint8Array(file.content) } : text(mesh, obj(shape)));
-    return { name, mesh, ...(name === spec.moving ? { pose: session.start } : {}) };
+    return { name, mesh, ...(radius === 0 ? {} : { radius }), ...(name === spec.moving ? { pose: session.start } : {}) };
   });
   const hasFiles = spec.bodies.some(({ file }) => file);
   const options = `--margin ${opened.margin}${optionsOf(spec)}${hasFiles ? " --triangulate" : ""}`;

@@ -2,7 +2,7 @@
 import { places } from "places";
 import { type Arm, armSpec, type Joint } from "./arm";
 import type { Pose } from "./poses";
-import type { SceneSpec } from "./protocol";
+import type { Radii, SceneSpec } from "./protocol";
 
 /** How a scene is dragged. */
 export interface Handling {
@@ -38,7 +38,7 @@ function ready(
   start: Pose,
   more: { margin: number; handling: Handling; glass?: string[]; ground?: string[]; view?: number[] },
 ): PlaygroundScene {
-  const spec = { moving: bodies[0], bodies: bodies.map((name) => ({ name, shape: name })), start, margin: more.margin, friction: 0 };
+  const spec = { moving: bodies[0], bodies: bodies.map((name) => ({ name, shape: name })), start, margin: more.margin, friction: 0, radii: [0, 0] satisfies Radii };
   const { handling, glass = [], ground = [], view = [0.55, -1, 0.5] } = more;
   return { id, title, about, spec, handling, glass, ground, view, unit: "mm" };
 }

@@ -25,7 +25,7 @@ class OpenScene {
     this.fixed = standing(spec);
     this.scene.add(spec.moving, moving, { pose });
     for (const name of this.fixed) this.scene.add(name, this.bodies.get(name)!);
-    this.refuseOverlap();
+    this.refuseOverlap(pose);
     this.hand = this.newHand();
   }
 
@@ -77,10 +77,11 @@ class OpenScene {
     const { moving, margin, friction, lock } = this.spec;
     return this.chasles.draggedBody(this.scene, moving, { margin, friction, lock });
   }
-
-  private refuseOverlap(): void {
-    const found = this.scene.firstContact({ until: 0 }); // at the start, so that bodies at rest are tested, too
-    if (found.verdict !== "clear") throw new InvalidInput(`${found.pair.join(" and ")}: overlap`);
+  /** Bodies that stand may overlap each other: their radii make them do so. */
+  private refuseOverlap(pose: Pose): void {
+    const { moving } = this.spec;
+    const overlapped = this.fixed.find((body) => this.chasles.firstContact(this.moving, this.bodies.get(body)!, pose, pose).verdict !== "clear");
+    if (overlapped) throw new InvalidInput(`${moving} and ${overlapped}: overlap`);
   }
 }
 
@@ -89,11 +90,21 @@ let open: OpenScene | undefined;
 
 const library = () => (chasles ??= load());
 
-async function made({ shape, file, at }: BodySpec): Promise<Polyhedron> {
+async function made({ shape, file, at }: BodySpec, radius = 0): Promise<Polyhedron> {
   const instance = await library();
-  if (file) return instance.fromFile(new Uint8Array(file.content), file.name, { triangulate: true });
+  if (file) return instance.fromFile(new Uint8Array(file.content), file.name, { triangulate: true, radius });
   const { vertices, faces } = (await shapes())[shape!];
-  return instance.polyhedron(at ? vertices.map((vertex) => carriedTo(at, vertex)) : vertices, faces);
+  return instance.polyhedron(at ? vertices.map((vertex) => carriedTo(at, vertex)) : vertices, faces, { radius });
+}
+
+/** What the library refuses gets the name of the body in front. */
+async function madeByName(spec: BodySpec, radius: number): Promise<Polyhedron> {
+  try {
+    return await made(spec, radius);
+  } catch (error) {
+    if (!(error instanceof InvalidInput) || error.message.startsWith(spec.name)) throw error;
+    throw new InvalidInput(`${spec.name}: ${error.message}`);
+  }
 }
 
 /** Like `carried`, without three.js, which is not in the workers. */
@@ -105,7 +116,7 @@ function carriedTo([x, y, z, w, ...axis]: Pose, point: number[]): number[] {
 
 const cross = (a: number[], b: number[]) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** Several surfaces as one body. */
+/** Several surfaces as one body. Their radius is the same. */
 async function joined(bodies: Polyhedron[]): Promise<Polyhedron> {
   const vertices: number[] = [];
   const faces: number[][] = [];
@@ -114,12 +125,12 @@ async function joined(bodies: Polyhedron[]): Promise<Polyhedron> {
     faces.push(...body.faces.map((face) => face.map((corner) => first + corner)));
     vertices.push(...body.vertices);
   }
-  return (await library()).polyhedron(vertices, faces);
+  return (await library()).polyhedron(vertices, faces, { radius: bodies[0].report.radius });
 }
 
 function shapeOf(name: string, body: Polyhedron): BodyShape {
   const { vertices, triangles, faces, report } = body;
-  return { name, vertices, triangles, faces, lower: report.lower, upper: report.upper, isClosed: report.closed };
+  return { name, vertices, triangles, faces, lower: report.lower, upper: report.upper, isClosed: report.closed, radius: report.radius };
 }
 
 const tasks: { [Name in keyof Tasks]: (ask: Tasks[Name]["ask"], onPart: (part: number) => void) => Promise<Tasks[Name]["answer"]> } = {
@@ -137,8 +148,9 @@ const tasks: { [Name in keyof Tasks]: (ask: Tasks[Name]["ask"], onPart: (part: n
 
   async open({ scene, pose }): Promise<Opened> {
     const bodies: [string, Polyhedron][] = [];
-    for (const spec of scene.bodies) bodies.push([spec.name, await made(spec)]);
-    const parts = scene.bodies.flatMap(({ name, isPart }, index) => (name === scene.moving || isPart ? [bodies[index][1]] : []));
+    const isMoving = ({ name, isPart }: BodySpec) => name === scene.moving || isPart;
+    for (const spec of scene.bodies) bodies.push([spec.name, await madeByName(spec, scene.radii[isMoving(spec) ? 0 : 1])]);
+    const parts = scene.bodies.flatMap((spec, index) => (isMoving(spec) ? [bodies[index][1]] : []));
     const moving = parts.length > 1 ? await joined(parts) : parts[0];
     const next = new OpenScene(await library(), scene, bodies, moving, pose ?? scene.start);
     open?.free();
