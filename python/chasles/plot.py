@@ -126,17 +126,18 @@ def _round(body: Polyhedron, vertices: Array) -> list[Array]:
         whole = np.asarray(body.triangles)
         whole = whole[(whole[:, 0] != whole[:, 1]) & (whole[:, 1] != whole[:, 2])]
         thin = [outline for outline in outlines if len(set(outline)) < 3]
-        outlines = thin + [tuple(triangle) for triangle in _coarse(vertices, whole).tolist()]
+        coarse = _coarse(vertices, whole, MOST_TRIANGLES // 4)  # each may move to both sides
+        outlines = thin + [tuple(triangle) for triangle in coarse.tolist()]
     is_solid = report.solid_parts == report.parts and report.volume > 0
     return round_polygons(vertices, outlines, body.radius, MOST_TRIANGLES, is_solid=is_solid)
 
 
-def _coarse(vertices: Array, triangles: npt.NDArray[np.uint32]) -> npt.NDArray[np.uint32]:
+def _coarse(vertices: Array, triangles: npt.NDArray[np.uint32], most: int = MOST_TRIANGLES) -> npt.NDArray[np.uint32]:
     """Triangles of a simplified mesh: one vertex per cell of a grid replaces all vertices of the cell."""
     low, size = vertices.min(axis=0), np.ptp(vertices, axis=0).max()
     cells = 256
     kept = triangles
-    while len(kept) > MOST_TRIANGLES:
+    while len(kept) > most:
         keys = np.floor((vertices - low) / size * cells).astype(np.int64)
         _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
         kept = first[inverse.reshape(-1)][triangles]

@@ -17,18 +17,20 @@ SIDES = (24, 16, 12, 8, 6, 4)  # of a ball or a tube, the most that fit
 
 
 def round_polygons(vertices: Array, outlines: Outlines, radius: float, most: int, *, is_solid: bool) -> list[Array]:
-    """The surface at `radius` from the outlines, by at most `most` polygons for balls and tubes.
+    """The surface at `radius` from the outlines, in at most `most` polygons where the faces leave room for others.
 
     Polygons inside of the body are left out, because matplotlib would draw some of them in front. Of too many vertices
     only some have balls, and then no edge has a tube. The faces of a solid body move outwards only.
     """
     surface = _Surface(vertices, outlines, radius, is_solid=is_solid)
     corners, edges = len(surface.corners), len(surface.edges)
-    fitting = [n for n in SIDES if corners * n * n // 2 + edges * n <= most]
+    moved = surface.moved_faces()
+    left = max(most - len(moved), 1)
+    fitting = [n for n in SIDES if corners * n * n // 2 + edges * n <= left]
     if fitting:
-        return surface.moved_faces() + surface.balls(surface.corners, fitting[0]) + surface.tubes(fitting[0])
-    step = math.ceil(corners * SIDES[-1] ** 2 / 2 / most)
-    return surface.moved_faces() + surface.balls(surface.corners[::step], SIDES[-1])
+        return moved + surface.balls(surface.corners, fitting[0]) + surface.tubes(fitting[0])
+    step = math.ceil(corners * SIDES[-1] ** 2 / 2 / left)
+    return moved + surface.balls(surface.corners[::step], SIDES[-1])
 
 
 class _Surface:

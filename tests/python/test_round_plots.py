@@ -58,8 +58,11 @@ def test_the_surface_of_a_round_cube_is_whole(cube):
     assert drawn == pytest.approx(6 + 12 * np.pi / 2 * radius + 4 * np.pi * radius**2, rel=0.01)
 
 
-def test_large_clouds_are_thinned_out():
+def test_large_bodies_are_thinned_out():
     points = np.random.default_rng(7).uniform(-1, 1, (30_000, 3))
+    tube = [(np.cos(u), np.sin(u), v) for u in np.arange(0, 6.2, 0.1) for v in np.arange(0, 1, 0.01)]
+    faces = [[i, i + 1, i + 101, i + 100] for i in range(len(tube) - 101)]
+    assert 1000 < len(_polygons(chasles.Polyhedron(tube, faces, triangulate=True, radius=0.2))) <= MOST_TRIANGLES
     drawn = _polygons(chasles.points(points, 0.02))
     assert MOST_TRIANGLES / 2 < len(drawn) <= MOST_TRIANGLES
     np.testing.assert_allclose(np.ptp(np.concatenate(drawn), axis=0), 2, atol=0.1)
