@@ -51,13 +51,16 @@ void add_body_options(CLI::App& command, BodyOptions& options);
 /// Loads both bodies. If both have the same file name, the file is loaded once.
 Bodies load_bodies(const BodyOptions& options);
 
+/// "PLACE: REASON", also of a reason that names the place already.
+std::string placed(const std::string& place, const std::string& why);
+
 /// What `read` returns. What it throws as InvalidInput gets the place in front: "PLACE: REASON".
 template <typename Read>
 auto at_place(const std::string& place, const Read& read) -> decltype(read()) {
     try {
         return read();
     } catch (const InvalidInput& error) {
-        throw InvalidInput(place + ": " + error.what());
+        throw InvalidInput(placed(place, error.what()));
     }
 }
 

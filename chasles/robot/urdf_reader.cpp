@@ -138,7 +138,8 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     } catch (const XmlFault&) {
         throw;
     } catch (const InvalidInput& error) {
-        file_.fail(*shape, error.what());
+        const std::string why = error.what(), named = std::string(kind) + ": "; // the element names the shape already
+        file_.fail(*shape, why.starts_with(named) ? why.substr(named.size()) : why);
     }
     file_.fail(*shape, "is no mesh, box, cylinder, sphere or capsule");
 }

@@ -22,6 +22,11 @@ Eigen::Vector3d centre_for(const char* name, const std::optional<Eigen::Vector3d
     return centre.value_or(Eigen::Vector3d::Zero());
 }
 
+/// "NAME: WHY", also of a reason that begins with the name.
+std::string placed(const std::string& name, const std::string& why) {
+    return why.starts_with(name + ": ") ? why : name + ": " + why;
+}
+
 template <typename Typed>
 NamedMotion named(const Typed& motion) {
     return {motion, view::numbers_of(motion)};
@@ -103,7 +108,7 @@ Pose NumbersIn::pose(const std::string& name) {
     try {
         return io::pose_from_numbers(some(whole(rest_.size())));
     } catch (const InvalidInput& error) {
-        throw InvalidInput(name + ": " + error.what());
+        throw InvalidInput(placed(name, error.what()));
     }
 }
 

@@ -14,6 +14,11 @@ std::size_t pose_size(std::span<const Py_ssize_t> shape) {
     return shape.size() == 2 && shape[0] == 4 && shape[1] == 4 ? 16 : 0;
 }
 
+/// "NAME: WHY", also of a reason that begins with the name.
+std::string placed(const std::string& name, const std::string& why) {
+    return why.starts_with(name + ": ") ? why : name + ": " + why;
+}
+
 } // namespace
 
 Pose pose_from(nb::handle argument, const char* name) {
@@ -24,7 +29,7 @@ Pose pose_from(nb::handle argument, const char* name) {
     try {
         return io::pose_from_numbers(array.numbers());
     } catch (const InvalidInput& error) {
-        throw InvalidInput(std::string(name) + ": " + error.what());
+        throw InvalidInput(placed(name, error.what()));
     }
 }
 

@@ -60,8 +60,11 @@ TEST_F(RadiusCommand, BodiesOfScenesHaveTheirOwn) {
         write("scene.json", R"({"bodies": [{"name": "other", )" + body + "}]}");
         return run("scene scene.json").err;
     };
-    EXPECT_EQ(error(R"("sphere": 0)"), "chasles: scene.json: body 1: 'other': sphere: sphere: radius: must be "
-                                       "positive and at most 1e30, and is 0\n");
+    EXPECT_EQ(error(R"("sphere": 0)"), "chasles: scene.json: body 1: 'other': sphere: radius: must be positive "
+                                       "and at most 1e30, and is 0\n");
+    EXPECT_EQ(error(R"("capsule": [1, -1])"), "chasles: scene.json: body 1: 'other': capsule: length: must be positive "
+                                              "and at most 1e30, and is -1\n");
+    EXPECT_EQ(error(R"("scale": 1)"), "chasles: scene.json: body 1: 'other': mesh: is missing\n");
     EXPECT_EQ(error(R"("capsule": [1])"),
               "chasles: scene.json: body 1: 'other': capsule: needs [radius, length], and there are 1\n");
     EXPECT_EQ(error(R"("sphere": 1, "mesh": "cube.obj")"),

@@ -236,7 +236,7 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
               "and twist");
     EXPECT_EQ(refused(body(R"(, "poses": [{"t": 0, "pose": [1, 2, 3]}, {"t": 2, "pose": [1, 2, 3]}])")),
               "body 1: 'a': poses: t must run from 0 to 1, which is the time of the whole scene");
-    EXPECT_EQ(refused(body(R"(, "poses": [{"t": 0}])")), "body 1: 'a': poses: entry 1: pose: pose: is missing");
+    EXPECT_EQ(refused(body(R"(, "poses": [{"t": 0}])")), "body 1: 'a': poses: entry 1: pose: is missing");
     EXPECT_EQ(refused(body(R"(}, {"name": "a", "mesh": "cube.obj")")), "body 2: scene: a: is in the scene already");
     EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "no.obj"}]})"), "body 1: 'a': no.obj: no such file");
     EXPECT_EQ(refused(R"({"bodies": [], "ignore": [["a", "b"]]})"), "ignore: scene: b: is not in the scene");

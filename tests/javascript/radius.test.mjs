@@ -36,6 +36,11 @@ test("scenes of round bodies", () => {
   assert.ok(Math.abs(scene.firstContact().time - 0.5) < 1e-11);
 });
 
+test("messages name the argument once", () => {
+  assert.match(refusal(() => chasles.scene().add("a", cube, { pose: [0, 0, 0, 0, 0, 0, 0] })), /^pose: quaternion: /);
+  assert.match(refusal(() => chasles.firstContact(cube, cube, [0, 0, 0, 0, 0, 0, 0], [0, 0, 0])), /^start: pose: quaternion: /);
+});
+
 test("sizes that no body has are refused", () => {
   assert.match(refusal(() => chasles.sphere(0)), /radius: must be positive, and is 0/);
   assert.match(refusal(() => chasles.capsule(1, -1)), /length: must be positive/);

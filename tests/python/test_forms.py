@@ -269,3 +269,10 @@ def test_mirrors_of_any_scale_turn_outwards():
     scene.add_geometry(box, node_name="small", transform=np.diag([-1e-120, 1e-120, 1e-120, 1]))
     body = chasles.parts_from_trimesh(scene)["small"]
     assert np.linalg.det(body.vertices[np.array(body.faces)]).sum() > 0  # the determinant of the scale rounds to 0
+
+
+def test_messages_name_a_pose_once():
+    with pytest.raises(chasles.InvalidInput, match="^pose: matrix: "):
+        chasles.Motion.at_rest(SCALED)
+    with pytest.raises(chasles.InvalidInput, match="^start: pose: matrix: "):
+        chasles.ScrewMotion.between(SCALED, np.eye(4))

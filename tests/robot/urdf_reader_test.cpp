@@ -166,7 +166,7 @@ TEST_F(UrdfFile, RefusesWhatIsMissingOrMisnamed) {
     EXPECT_EQ(refused("size=\"1 2 3\"", "size=\"1 2\""), "robot.urdf:5: <box>: size: has 2 numbers instead of 3");
     EXPECT_EQ(refused("size=\"1 2 3\"", "size=\"1 2 nan\""), "robot.urdf:5: <box>: size: 'nan' is not a finite number");
     EXPECT_EQ(refused("size=\"1 2 3\"", "size=\"1 2 -1\""),
-              "robot.urdf:5: <box>: box: z: must be positive and at most 1e30, and is -1");
+              "robot.urdf:5: <box>: z: must be positive and at most 1e30, and is -1");
     EXPECT_EQ(refused("<box size=\"1 2 3\"/>", "<cone/>"),
               "robot.urdf:5: <cone>: is no mesh, box, cylinder, sphere or capsule");
     EXPECT_EQ(refused("type=\"revolute\"", "type=\"ball\""),
