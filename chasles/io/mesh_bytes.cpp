@@ -50,7 +50,7 @@ PolygonSoup read_without_name(std::string_view bytes, std::string_view extension
     refuse_robot(lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
-        throw InvalidInput("the extension is none of .obj, .off, .ply and .stl");
+        throw InvalidInput("the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
     if (bytes.empty())
         throw InvalidInput("is empty");
     return with_faces(reader(bytes));
@@ -80,6 +80,8 @@ Reader reader_for(std::string_view extension) {
         return read_ply;
     if (lower == ".stl")
         return read_stl;
+    if (lower == ".bt" || lower == ".ot")
+        return read_octomap;
     return nullptr;
 }
 

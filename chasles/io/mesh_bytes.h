@@ -29,8 +29,9 @@ PolygonSoup with_faces(PolygonSoup soup);
 /// Makes the body; messages of the mesh layer get line numbers.
 Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& options);
 
-/// The mesh in the content of an OBJ, OFF, PLY or STL file. The extension of `name` chooses the format; there need be
-/// no file of this name. Throws InvalidInput with the name, the line number if the format has lines, and the reason.
+/// The mesh in the content of an OBJ, OFF, PLY, STL or OctoMap file. The extension of `name` chooses the format; there
+/// need be no file of this name. Throws InvalidInput with the name, the line number if the format has lines, and the
+/// reason.
 PolygonSoup read_polygons(std::string_view bytes, const std::string& name);
 
 /// A body of it.

@@ -32,8 +32,8 @@ std::vector<MeshPart> read_parts(const std::filesystem::path& file, std::string_
         parts = read_3mf(bytes);
     else
         throw InvalidInput("no reader for the extension " + in_quotes(extension) +
-                           "; .obj, .off, .ply, .stl, .gltf, .glb, .dae and .3mf are read: export the mesh as glTF, " +
-                           "3MF, STL or OBJ");
+                           "; .obj, .off, .ply, .stl, .gltf, .glb, .dae, .3mf, .bt and .ot are read: export the mesh " +
+                           "as glTF, 3MF, STL or OBJ");
     if (parts.empty())
         throw InvalidInput("has no face; a mesh needs at least one");
     return parts;

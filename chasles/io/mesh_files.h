@@ -29,9 +29,9 @@ struct MeshPart {
     std::string unit = {}; ///< of the coordinates, as "meter" or "inch"; empty if the format states none
 };
 
-/// Reads OBJ, OFF, PLY, STL, glTF, COLLADA and 3MF in double precision (docs/files.md). Throws InvalidInput with the
-/// file name, the line number if the format has lines, and the reason. No face is dropped silently. The size of the
-/// file bounds the memory, for any counts in its header.
+/// Reads OBJ, OFF, PLY, STL, OctoMap, glTF, COLLADA and 3MF in double precision (docs/files.md). Throws InvalidInput
+/// with the file name, the line number if the format has lines, and the reason. No face is dropped silently. The size
+/// of the file bounds the memory, for any counts in its header.
 PolygonSoup load_polygons(const std::filesystem::path& file);
 
 /// The parts of a file: one for each node that places a mesh, in glTF, COLLADA and 3MF. A file of another format is one
@@ -53,6 +53,7 @@ PolygonSoup read_obj(std::string_view text);
 PolygonSoup read_off(std::string_view text);
 PolygonSoup read_ply(std::string_view text);
 PolygonSoup read_stl(std::string_view text);
+PolygonSoup read_octomap(std::string_view bytes);
 
 /// Reads a file that another file refers to by this name.
 using FileBeside = std::function<std::string(const std::string& name)>;

@@ -153,6 +153,8 @@ std::vector<Vector3d> points_in(const std::filesystem::path& file, const std::st
         return reader_for(extension)(bytes).vertices;
     if (extension == ".xyz" || extension == ".csv" || extension == ".txt")
         return read_point_table(bytes);
+    if (extension == ".bt" || extension == ".ot")
+        throw InvalidInput("is a map of cubes, not of points; it is read wherever a mesh is");
     throw InvalidInput("no reader of points for the extension " + in_quotes(extension) +
                        "; .ply, .pcd, .xyz, .csv, .txt, .obj and .off are read");
 }

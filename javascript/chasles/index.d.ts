@@ -498,7 +498,7 @@ export declare class Chasles {
   capsule(radius: number, length: number): Polyhedron;
   /** All points within `radius` of some points, as one body: face i is point i. */
   points(points: Numbers | readonly Numbers[], radius: number): Polyhedron;
-  /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
+  /** A body of the content of an OBJ, OFF, PLY, STL or OctoMap (.bt, .ot) file; the extension of the name says which. */
   fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: BodyOptions): Polyhedron;
   /** A body of a geometry of three.js. Vertices at equal places count as one. Where a mesh decides about the shape, `fromObject3D` takes it. */
   fromBufferGeometry(geometry: GeometryLike, options?: BodyOptions): Polyhedron;

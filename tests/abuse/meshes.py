@@ -163,4 +163,6 @@ WRITERS: dict[str, list[Callable[[Mesh], bytes]]] = {
     "glb": [glb],
     "dae": [dae],
     "3mf": [threemf],
+    "bt": [],  # those of the corpus only, as OctoMap wrote them
+    "ot": [],
 }

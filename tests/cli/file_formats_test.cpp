@@ -173,9 +173,9 @@ TEST_F(FileFormats, InfoTellsTheUnit) {
             EXPECT_EQ(found["unit"], "meter") << file.name;
         }
         EXPECT_EQ(found.contains("unit"), text.find("  unit      ") != std::string::npos) << file.name;
-        EXPECT_EQ(found.contains("unit"), !file.name.ends_with("obj") && !file.name.ends_with("off") &&
-                                              !file.name.ends_with("ply") && !file.name.ends_with("stl"))
-            << file.name;
+        const bool states_none = std::ranges::any_of(std::array{".obj", ".off", ".ply", ".stl", ".bt", ".ot"},
+                                                     [&](const char* end) { return file.name.ends_with(end); });
+        EXPECT_EQ(found.contains("unit"), !states_none) << file.name;
     }
 }
 

@@ -25,8 +25,8 @@ TEST(MeshBytes, RefusalsNameTheFileTheLineAndTheReason) {
     const auto refusal = [](std::string_view bytes, const std::string& name) {
         return message_of([&] { (void)io::read_polyhedron(bytes, name); });
     };
-    EXPECT_EQ(refusal(tetrahedron, "a.png"), "a.png: the extension is none of .obj, .off, .ply and .stl");
-    EXPECT_EQ(refusal(tetrahedron, "obj"), "obj: the extension is none of .obj, .off, .ply and .stl");
+    EXPECT_EQ(refusal(tetrahedron, "a.png"), "a.png: the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
+    EXPECT_EQ(refusal(tetrahedron, "obj"), "obj: the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
     EXPECT_EQ(refusal("", "a.obj"), "a.obj: is empty");
     EXPECT_TRUE(refusal("version https://git-lfs.github.com/spec/v1\n", "a.stl").starts_with("a.stl: is a Git LFS p"));
     EXPECT_EQ(refusal("v 0 0 0\n", "a.obj"), "a.obj: has no face; a mesh needs at least one");

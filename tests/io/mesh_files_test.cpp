@@ -83,8 +83,8 @@ TEST_F(MeshFiles, NameWhatReadsFilesOfRobots) {
 TEST_F(MeshFiles, NamesWhatIsReadForOtherFormats) {
     for (const char* const name : {"a.fbx", "a.3ds", "a.x"})
         EXPECT_EQ(message(name, "x"), std::string(name) + ": no reader for the extension '" + (name + 1) +
-                                          "'; .obj, .off, .ply, .stl, .gltf, .glb, .dae and .3mf are read: export the "
-                                          "mesh as glTF, 3MF, STL or OBJ");
+                                          "'; .obj, .off, .ply, .stl, .gltf, .glb, .dae, .3mf, .bt and .ot are read: "
+                                          "export the mesh as glTF, 3MF, STL or OBJ");
     EXPECT_TRUE(message("broken.gltf", "{").starts_with("broken.gltf: is no well-formed JSON: "));
     EXPECT_TRUE(message("broken.dae", "<COLLADA").starts_with("broken.dae: line 1: is no well-formed XML"));
     EXPECT_TRUE(message("broken.3mf", "x").starts_with("broken.3mf: is no ZIP archive"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/io/file_bytes.h"
+#include "tests/io/octomap_file.h"
 
 #include <fmt/format.h>
 #include <string>
@@ -123,6 +124,15 @@ inline std::string post_3mf(const std::string& unit = "meter") {
                    R"(</triangles></mesh></object></resources><build><item objectid="1"/></build></model>)");
 }
 
+inline OctomapWriter post_octomap() {
+    std::set<OctomapCell> cells;
+    for (int x = -1; x < 1; ++x)
+        for (int y = -1; y < 1; ++y)
+            for (int z = 0; z < 16; ++z)
+                cells.insert({x, y, z});
+    return {std::move(cells), true};
+}
+
 inline std::vector<PostFile> post_files() {
     const PostText text;
     return {
@@ -140,7 +150,9 @@ inline std::vector<PostFile> post_files() {
         {"x_up.dae", post_collada("X_UP")},
         {"y_up.dae", post_collada("Y_UP")},
         {"z_up.dae", post_collada("Z_UP")},
-        {"post.3mf", post_3mf()}};
+        {"post.3mf", post_3mf()},
+        {"post.bt", post_octomap().bt(0.0625)},
+        {"post.ot", post_octomap().ot(0.0625)}};
 }
 
 } // namespace chasles::tests
