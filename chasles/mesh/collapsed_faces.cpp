@@ -63,17 +63,24 @@ private:
     std::vector<Place> places_;
 };
 
-/// Collects segments, each once.
+/// Collects segments, each once, and points that no face contains, likewise.
 class Segments {
 public:
+    explicit Segments(std::vector<bool> is_used) : is_used_(std::move(is_used)) {}
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
         const auto [from, to] = std::minmax(a, b);
         if (known_.emplace(from, to).second)
             outlines_.append(std::array{from, to, to}, source);
     }
+    void add_point(std::uint32_t vertex, std::uint32_t source) {
+        if (!is_used_[vertex])
+            outlines_.append(std::array{vertex, vertex, vertex}, source);
+        is_used_[vertex] = true;
+    }
     [[nodiscard]] FaceOutlines take() { return std::move(outlines_); }
 
 private:
+    std::vector<bool> is_used_; ///< a flag for each vertex
     std::set<std::pair<std::uint32_t, std::uint32_t>> known_;
     FaceOutlines outlines_;
 };
@@ -92,13 +99,14 @@ FaceOutlines uncovered_segments(const FaceOutlines& collapsed, const FlatLists<s
                                 const MeshEdges& edges, std::span<const Eigen::Vector3d> vertices) {
     if (collapsed.source.empty())
         return {};
-    const std::vector<bool> is_kept = vertices_of(kept, vertices.size());
-    Segments segments;
+    Segments segments(vertices_of(kept, vertices.size()));
     for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
         const std::uint32_t source = collapsed.source[i];
         const CornerIds corners = corners_along_line(collapsed.outlines[i], vertices);
-        if (corners.size() == 1 && !is_kept[corners.front()]) // a point by itself
-            segments.add(corners.front(), corners.front(), source);
+        if (corners.size() == 1) {
+            segments.add_point(corners.front(), source);
+            continue;
+        }
         const std::vector<std::uint32_t> farthest = EdgesOnLine(edges, corners).farthest();
         for (std::size_t piece = 0; piece + 1 < corners.size(); ++piece)
             if (farthest[piece] <= piece)
