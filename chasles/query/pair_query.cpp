@@ -145,24 +145,29 @@ std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, searc
 FirstContact PieceByPiece::run_within(double level, bool checks_start, double until) {
     FirstContact found;
     const bool finds_any = options_.find == Find::any && checks_start;
-    for (std::size_t i = 0; i < pieces_->size(); ++i) {
-        std::optional<PieceContext> later;
-        PieceContext& context = i == 0 ? first_ : later.emplace(query_.moving, query_.fixed, pieces_->at(i));
-        if (i > 0 && context.piece().time_of({0, 0}).lower > until)
-            break;
+    const auto ends_in = [&](PieceContext& context, bool is_first) {
         const auto result = contact_in(context,
                                        {.tolerance = context.piece().tau_tolerance(options_.time_tolerance),
                                         .finds_any = finds_any,
                                         .margin = level,
-                                        .check_start = checks_start && i == 0,
+                                        .check_start = checks_start && is_first,
                                         .until = tau_after(context.piece(), until),
                                         .memory = memory_},
                                        until, found.work);
-        if (result) {
-            report(found, context, *result, {options_, i == 0, level});
-            found.clear_until = finds_any ? context.piece().time_of({0, 0}).lower : found.time.lower;
+        if (!result)
+            return false;
+        report(found, context, *result, {options_, is_first, level});
+        found.clear_until = finds_any ? context.piece().time_of({0, 0}).lower : found.time.lower;
+        return true;
+    };
+    if (ends_in(first_, true))
+        return found;
+    for (std::size_t i = 1; i < pieces_->size(); ++i) {
+        PieceContext context(query_.moving, query_.fixed, pieces_->at(i));
+        if (context.piece().time_of({0, 0}).lower > until)
+            break;
+        if (ends_in(context, false))
             return found;
-        }
     }
     set_clear(found, query_.trajectory, until);
     return found;

@@ -43,12 +43,11 @@ struct Start {
     }
 };
 
+/// Maps that only enclose the true motion have its true ends. Points in the box around the moving body are within twice
+/// its radius.
 Start<double> start_of(const PieceContext& context) {
-    if (!context.is_enclosed())
-        return {context.maps(), elementary::position_error<double>(context.error_scale(0))};
-    const motion::Enclosure<double> start = *context.piece().enclosure({0, 0});
-    const auto maps = motion::double_maps(start.cubic);
-    return {maps, elementary::position_error<double>(context.parts(0).scale_of(start, maps))};
+    const double margin = context.is_enclosed() ? context.moving().bvh().radius() : 0;
+    return {context.maps(), elementary::position_error<double>(context.error_scale(margin))};
 }
 
 /// The moving body in the frame of the fixed one, for boxes.
