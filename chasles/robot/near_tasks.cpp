@@ -24,11 +24,14 @@ constexpr std::size_t cells = std::size_t{1} << most_halvings;
 /// The allowance for all roundings of boxes, relative to the sizes that enter.
 constexpr double rounding_of_boxes = 1e-11;
 
-// These numbers decide only what is tried first. They are measured with robots_bench.
+// These numbers decide only what is tried first. They are measured with robots_bench and cloud_peers.py.
 
 /// A pair is halved in time until the body moves by less than this part of its radius. Then large nodes decide whether
 /// it is searched.
 constexpr double small_way = 1.2;
+/// The box of a body of so many nodes says little: its large nodes are tried as soon as the way is less than this.
+constexpr std::size_t many_nodes = 10'000;
+constexpr double way_of_many_nodes = 12;
 
 Matrix3d turn_of(const GeneralPose<double>& pose) {
     const auto& [w, v] = pose.rotation;
@@ -52,6 +55,7 @@ struct Candidate {
     double deviation = 0; ///< of its points from their chords, over the whole segment
     double way = 0;       ///< of its points, at most, over the whole segment
     double margin = 0;
+    double small_way = 0; ///< from which on large nodes are tried
 };
 
 class Culling {
@@ -159,8 +163,12 @@ void Culling::go_down(RateBounds& bounds, std::size_t above, std::size_t to) con
 
 void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates,
                             double margin) const {
-    const double reach = reach_of(prepared_.extents[prepared_.moving_index(task)]);
-    all.push_back({task, rates, 0.125 * rates.acceleration_at(reach), rates.speed_at(reach), margin});
+    const Prepared::Extent& extent = prepared_.extents[prepared_.moving_index(task)];
+    const double reach = reach_of(extent);
+    const std::size_t nodes = std::max(prepared_.moving(task).shape.body().bvh().nodes().size(),
+                                       prepared_.fixed_shape(task).body().bvh().nodes().size());
+    all.push_back({task, rates, 0.125 * rates.acceleration_at(reach), rates.speed_at(reach), margin,
+                   extent.radius * (nodes < many_nodes ? small_way : way_of_many_nodes)});
 }
 
 std::vector<Candidate> Culling::candidates() {
@@ -291,11 +299,14 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
     for (const Candidate& pair : pairs) {
         if (are_balls_apart(cell, pair) || are_boxes_apart(cell, pair))
             continue;
-        const double radius = prepared_.extents[prepared_.moving_index(pair.task)].radius;
-        const bool is_small = pair.way * cell.duration() <= small_way * radius || cell.halvings == most_halvings;
-        if (is_small && !are_nodes_apart(cell, pair))
+        const double way = pair.way * cell.duration();
+        const bool is_last = way <= small_way * prepared_.extents[prepared_.moving_index(pair.task)].radius ||
+                             cell.halvings == most_halvings;
+        if ((is_last || way <= pair.small_way) && are_nodes_apart(cell, pair))
+            continue;
+        if (is_last)
             add(pair.task, cell.part());
-        if (!is_small)
+        else
             near.push_back(pair);
     }
     if (near.empty())

@@ -35,6 +35,40 @@ TEST(RoundLinks, MeetObstaclesAtTheAngleOfTheClosedForm) {
     }
 }
 
+// Of each point the first angle at which a sphere on an arm of length 2 meets it. Most points lie just beside its way.
+TEST(RoundLinks, InACloudMeetAtTheAngleOfTheClosedForm) {
+    Random random(4414);
+    const double radius = 0.01, reach = 0.05 + radius, end = 3;
+    const Robot robot = turning_arm(make_sphere(0.05), 2);
+    int contacts = 0, clear = 0;
+    for (int round = 0; round < 40; ++round) {
+        std::vector<Eigen::Vector3d> points;
+        double first = end;
+        const int in_the_way = random.integer(0, 2);
+        for (int i = 0; i < 6000; ++i) { // 11,999 nodes
+            const double around = random.uniform(0.2, 6), across = random.uniform(0, 6.2),
+                         away = i < in_the_way ? random.uniform(0, 0.9) * reach
+                                               : reach * (1 + 1e-4) + random.uniform(0, 1);
+            const double from_axis = 2 + away * std::cos(across), height = away * std::sin(across);
+            points.emplace_back(from_axis * std::cos(around), from_axis * std::sin(around), height);
+            const double square = from_axis * from_axis + height * height;
+            const double cosine = (square + 4 - reach * reach) / (4 * from_axis);
+            if (cosine < 1)
+                first = std::min(first, around - std::acos(cosine));
+        }
+        Scene scene;
+        scene.add({"cloud", make_points(points, radius), Motion::at_rest(Pose())});
+        const RobotChecker checker(robot, &scene);
+        const RobotAnswer found = checker.first_contact(at(0), at(end));
+        ASSERT_EQ(found.verdict, first < end ? Verdict::contact : Verdict::clear) << round;
+        EXPECT_EQ(checker.is_clear(at(0), at(end)), first == end);
+        EXPECT_NEAR(found.verdict == Verdict::clear ? end : found.contact.time.lower * end, first, 1e-9);
+        ++(first < end ? contacts : clear);
+    }
+    EXPECT_GT(contacts, 10);
+    EXPECT_GT(clear, 10);
+}
+
 TEST(RoundLinks, AnswerAsLinksWithALargerMargin) {
     Random random(4413);
     int contacts = 0, clear = 0;
