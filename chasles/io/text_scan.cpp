@@ -5,8 +5,10 @@
 #include "chasles/base/invalid_input.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace chasles::io {
 namespace {
@@ -65,6 +67,22 @@ std::size_t character_size(std::string_view text) {
     return size;
 }
 
+/// Whether a character acts on a terminal instead of being seen: control characters, line ends of Unicode, and marks
+/// that turn the direction of writing.
+bool is_unseen(std::string_view character) {
+    using Range = std::pair<std::string_view, std::string_view>; // of characters of equal size
+    static constexpr std::array ranges{Range("\x01", "\x1f"),
+                                       Range("\x7f", "\x7f"),
+                                       Range("\xc2\x80", "\xc2\x9f"),
+                                       Range("\xd8\x9c", "\xd8\x9c"),
+                                       Range("\xe2\x80\x8e", "\xe2\x80\x8f"),
+                                       Range("\xe2\x80\xa8", "\xe2\x80\xae"),
+                                       Range("\xe2\x81\xa6", "\xe2\x81\xa9")};
+    return character.front() == '\0' || std::ranges::any_of(ranges, [&](const Range& range) {
+               return character.size() == range.first.size() && range.first <= character && character <= range.second;
+           });
+}
+
 } // namespace
 
 // The whole word must be used: "1.5x" is not a number.
@@ -93,10 +111,17 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
 }
 
 std::string one_line(std::string_view text) {
-    std::string line(text);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = is_blank(c) ? ' ' : '?';
+    std::string line;
+    while (!text.empty()) {
+        const std::string_view character = text.substr(0, std::max<std::size_t>(character_size(text), 1));
+        if (is_blank(character.front()))
+            line += ' ';
+        else if (is_unseen(character))
+            line += '?';
+        else
+            line += character;
+        text.remove_prefix(character.size());
+    }
     return line;
 }
 

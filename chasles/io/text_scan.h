@@ -22,7 +22,7 @@ std::optional<std::int64_t> parse_integer(std::string_view word);
 /// Text for a message: in quotes, printable, in one line, at most 60 characters.
 std::string in_quotes(std::string_view text);
 
-/// The text in one line: line breaks and other control characters are replaced.
+/// The text in one line: characters that act on a terminal instead of being seen are replaced.
 std::string one_line(std::string_view text);
 
 /// The text with a question mark for each byte that is not in UTF-8.

@@ -150,6 +150,17 @@ TEST(DifferByASlip, IsOneLetterOrTwoNeighbours) {
     }
 }
 
+// What would move the cursor, start an escape sequence, or show the rest of a line from right to left.
+TEST(OneLine, HasNoCharacterThatActsOnATerminal) {
+    EXPECT_EQ(one_line("a\tb\r\nc"), "a b  c");
+    EXPECT_EQ(one_line(std::string("\x1b[31m\0\x7f", 7)), "?[31m??");
+    EXPECT_EQ(one_line("\u009b31m \u0085 \u2028 \u2029"), "?31m ? ? ?");
+    EXPECT_EQ(one_line("\u202ecod.exe \u2066x\u2069 \u200f\u061c"), "?cod.exe ?x? ??");
+    for (const std::string seen :
+         {"Zahnrad \u00e4\u00df", "\u6b6f\u8eca", "\u05d2\u05dc\u05d2\u05dc", "\U0001f6e0 \u2013 \u00a0", "\xff\xfe"})
+        EXPECT_EQ(one_line(seen), seen);
+}
+
 TEST(InQuotes, IsShortPrintableAndOneLine) {
     EXPECT_EQ(in_quotes("  v 1 2\t3 \n"), "'v 1 2 3'");
     EXPECT_EQ(in_quotes(std::string("a\0\xff\x1b", 4)), "'a"
