@@ -74,8 +74,9 @@ void require_places(std::span<const std::string> names, const NamedColumns& colu
             missing.push_back(wanted[i]);
     if (!missing.empty())
         throw InvalidInput("the header " + shown_names(names) + " has no column " + list_of(missing) +
-                           "; it needs the columns " + list_of(wanted.first(optional_from)) +
-                           " in any order, and may have " + list_of(wanted.subspan(optional_from)));
+                           "; it needs the columns " + list_of(wanted.first(optional_from)) + " in any order" +
+                           (optional_from < wanted.size() ? ", and may have " + list_of(wanted.subspan(optional_from))
+                                                          : std::string()));
 }
 
 /// A unit in brackets belongs to the name before it, also after a blank.

@@ -10,6 +10,8 @@
 namespace chasles::io {
 namespace {
 
+const std::string door_of_points = "the key \"points\" of a scene file or, in Python, load_points reads it";
+
 // "face 7: ..." from the mesh layer becomes "line 12: face 7: ...".
 std::string with_line(const std::string& why, const PolygonSoup& soup) {
     Words words(why);
@@ -47,7 +49,7 @@ PolygonSoup read_without_name(std::string_view bytes, std::string_view extension
     if (is_lfs_pointer(bytes))
         throw InvalidInput(lfs_way_out);
     refuse_other_content(bytes, lower_case(extension));
-    refuse_robot(lower_case(extension));
+    refuse_other_kind(lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
         throw InvalidInput("the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
@@ -85,7 +87,9 @@ Reader reader_for(std::string_view extension) {
     return nullptr;
 }
 
-void refuse_robot(std::string_view extension) {
+void refuse_other_kind(std::string_view extension) {
+    if (extension == ".pcd" || extension == ".xyz")
+        throw InvalidInput("is a cloud of points, not a mesh; " + door_of_points);
     const std::string door = "`chasles robot` or, in Python, `Robot.load`";
     if (extension == ".urdf")
         throw InvalidInput("is a robot, not a mesh; " + door + " reads it");
@@ -115,7 +119,8 @@ void refuse_other_content(std::string_view bytes, std::string_view extension) {
 
 PolygonSoup with_faces(PolygonSoup soup) {
     if (soup.faces.empty())
-        throw InvalidInput("has no face; a mesh needs at least one");
+        throw InvalidInput("has no face; a mesh needs at least one" +
+                           (soup.vertices.empty() ? "" : ". As a cloud of points, " + door_of_points));
     return soup;
 }
 

@@ -16,14 +16,15 @@ using Reader = PolygonSoup (*)(std::string_view);
 /// The reader for the extension of a format with one mesh, for example ".obj", in capitals or not; null for others.
 Reader reader_for(std::string_view extension);
 
-/// Throws InvalidInput for an extension of files of robots (in small letters), and says what reads them.
-void refuse_robot(std::string_view extension);
+/// Throws InvalidInput for an extension of files of robots and of clouds of points (in small letters), and says what
+/// reads them.
+void refuse_other_kind(std::string_view extension);
 
 /// Throws InvalidInput for files that their first bytes say to be of another format than their extension (in small
 /// letters): archives, binary glTF, STEP and IFC; also for the extensions of STEP.
 void refuse_other_content(std::string_view bytes, std::string_view extension);
 
-/// The same mesh. Throws InvalidInput if it has no face.
+/// The same mesh. Throws InvalidInput if it has no face, and says what reads points.
 PolygonSoup with_faces(PolygonSoup soup);
 
 /// Makes the body; messages of the mesh layer get line numbers.

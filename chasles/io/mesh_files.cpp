@@ -19,7 +19,7 @@ namespace {
 std::vector<MeshPart> read_parts(const std::filesystem::path& file, std::string_view bytes) {
     const std::string extension = lower_case(file.extension().string());
     refuse_other_content(bytes, extension);
-    refuse_robot(extension);
+    refuse_other_kind(extension);
     if (const Reader reader = reader_for(extension))
         return {{one_line(valid_utf8(file.stem().string())), with_faces(reader(bytes))}};
     const auto file_beside = [&](const std::string& name) { return read_file(file.parent_path() / name); };

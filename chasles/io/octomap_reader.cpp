@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <optional>
+#include <cmath>
+#include <functional>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -22,6 +24,7 @@ namespace {
 using CellCorner = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t cells_of_map = 1u << 16; ///< along an axis; the middle of the map is the origin
+constexpr std::size_t most_sides = 1u << 24;     ///< of all cubes (docs/files.md, "Limits")
 
 /// A node of the tree.
 struct Cube {
@@ -45,11 +48,47 @@ std::uint64_t key_of(const CellCorner& corner, std::uint32_t side = 1) {
 }
 
 struct MapHeader {
-    bool is_binary = false;     ///< .bt
-    std::string id;             ///< the kind of tree
-    std::uint64_t nodes = 0;    ///< of the tree
-    std::optional<double> cell; ///< the side of a cell, in metres
-    std::size_t end = 0;        ///< bytes
+    bool is_binary = false; ///< .bt
+    std::string id;         ///< the kind of tree
+    std::uint64_t nodes = 0;
+    double cell = 0;     ///< its side, in metres
+    std::size_t end = 0; ///< bytes
+};
+
+/// The three values that a header needs, each once.
+class MapValues {
+public:
+    void add(std::string_view key, std::string_view value, std::size_t line) {
+        if (key != "id" && key != "size" && key != "res")
+            return;
+        if (!values_.emplace(key, Value{std::string(value), line}).second)
+            fail_at_line(line, "is a second line " + in_quotes(key));
+    }
+    void write_to(MapHeader& header) const {
+        header.id = value("id").text;
+        const auto& [size, size_line] = value("size");
+        const auto nodes = parse_integer(size);
+        if (!nodes || *nodes < 0)
+            fail_at_line(size_line, "size needs a number of nodes: " + in_quotes(size));
+        header.nodes = std::uint64_t(*nodes);
+        const auto& [res, res_line] = value("res");
+        header.cell = parse_finite(res).value_or(0);
+        if (header.cell <= 0)
+            fail_at_line(res_line, "res needs a positive length: " + in_quotes(res));
+    }
+
+private:
+    struct Value {
+        std::string text;
+        std::size_t line;
+    };
+    [[nodiscard]] const Value& value(std::string_view key) const {
+        const auto found = values_.find(key);
+        if (found == values_.end())
+            throw InvalidInput("has no line " + in_quotes(key) + " before the line 'data'");
+        return found->second;
+    }
+    std::map<std::string, Value, std::less<>> values_;
 };
 
 MapHeader read_header(std::string_view bytes) {
@@ -59,28 +98,18 @@ MapHeader read_header(std::string_view bytes) {
     header.is_binary = lines.line().starts_with("# Octomap OcTree binary file");
     if (!header.is_binary && !lines.line().starts_with("# Octomap OcTree file"))
         throw InvalidInput("does not begin with \"# Octomap OcTree\"; write it again with OctoMap 1.4 or later");
+    MapValues values;
     while (lines.next()) {
         Words words(lines.line());
         const std::string_view key = words.next(), value = words.next();
+        values.add(key, value, lines.number());
         if (key == "data") {
+            values.write_to(header);
             header.end = std::min(lines.position(), bytes.size());
             return header;
         }
-        if (key == "id")
-            header.id = value;
-        if (key == "size") {
-            const auto number = parse_integer(value);
-            if (!number || *number < 0)
-                fail_at_line(lines.number(), "size needs a number of nodes: " + in_quotes(value));
-            header.nodes = std::uint64_t(*number);
-        }
-        if (key == "res") {
-            header.cell = parse_finite(value);
-            if (!header.cell || *header.cell <= 0)
-                fail_at_line(lines.number(), "res needs a positive length: " + in_quotes(value));
-        }
     }
-    throw InvalidInput("ends before the line \"data\"");
+    throw InvalidInput("ends before the line 'data'");
 }
 
 /// Bytes behind the log odds of a node.
@@ -89,7 +118,8 @@ std::size_t further_bytes(const std::string& id) {
         return 0;
     if (id == "ColorOcTree")
         return 3;
-    throw InvalidInput("trees of the kind " + in_quotes(id) + " are not read; OcTree and ColorOcTree are");
+    throw InvalidInput("trees of the kind " + in_quotes(id) +
+                       " are not read; OcTree, OcTreeStamped and ColorOcTree are");
 }
 
 /// Reads the nodes depth first, and collects the occupied leaves.
@@ -99,9 +129,11 @@ public:
         : data_(data), header_(header), further_bytes_(further_bytes(header.id)) {
         if (header.nodes > 0)
             header.is_binary ? read_states(Cube{}) : read_log_odds(Cube{});
-        if (nodes_ != header.nodes || !data_.empty())
-            throw InvalidInput("has " + std::to_string(nodes_) + " nodes and " + std::to_string(data_.size()) +
-                               " bytes behind them; its header says " + std::to_string(header.nodes) + " nodes");
+        if (!data_.empty())
+            throw InvalidInput("goes on behind its tree (bytes: " + std::to_string(data_.size()) + ")");
+        if (nodes_ != header.nodes)
+            throw InvalidInput("has a tree of another size (" + std::to_string(nodes_) + ") than its header says (" +
+                               std::to_string(header.nodes) + ")");
     }
     [[nodiscard]] std::vector<Cube> take() { return std::move(leaves_); }
 
@@ -127,6 +159,8 @@ private:
         const auto log_odds = next<float>();
         skip(further_bytes_);
         const auto children = next<std::uint8_t>();
+        if (std::isnan(log_odds))
+            throw InvalidInput("has log odds that are no number (node " + std::to_string(nodes_) + ")");
         for (unsigned number = 0; number < 8; ++number)
             if (children >> number & 1u)
                 read_log_odds(child(cube, number));
@@ -140,8 +174,8 @@ private:
     }
     void skip(std::size_t bytes) {
         if (data_.size() < bytes)
-            throw InvalidInput("ends after " + std::to_string(nodes_) + " of " + std::to_string(header_.nodes) +
-                               " nodes");
+            throw InvalidInput("ends in the middle of its tree (node " + std::to_string(nodes_) + " of " +
+                               std::to_string(header_.nodes) + ")");
         data_.remove_prefix(bytes);
     }
     template <typename Number>
@@ -169,19 +203,36 @@ public:
             for (unsigned axis = 0; axis < 3; ++axis)
                 for (const bool is_upper : {false, true})
                     if (!has_neighbour(cube, axis, is_upper))
-                        add_face(cube, axis, is_upper);
+                        add_side({&cube, axis, is_upper});
+        soup_.faces.reserve(sides_.size());
+        for (const Side& side : sides_)
+            add_face(side);
     }
     [[nodiscard]] PolygonSoup take() { return std::move(soup_); }
 
 private:
+    struct Side {
+        const Cube* cube;
+        unsigned axis;
+        bool is_upper;
+    };
+
     /// Whether another cube of this size has the same face.
     [[nodiscard]] bool has_neighbour(const Cube& cube, unsigned axis, bool is_upper) const {
         CellCorner lower = cube.lower;
         lower[axis] = is_upper ? lower[axis] + cube.side : lower[axis] - cube.side;
         return lower[axis] < cells_of_map && std::ranges::binary_search(cubes_, key_of(lower, cube.side));
     }
+    void add_side(const Side& side) {
+        if (sides_.size() == most_sides)
+            throw InvalidInput("has cubes with more than " + std::to_string(most_sides) +
+                               " free sides; make a map of larger cells, or of a part");
+        sides_.push_back(side);
+    }
     /// Counterclockwise as seen from outside.
-    void add_face(const Cube& cube, unsigned axis, bool is_upper) {
+    void add_face(const Side& side) {
+        const auto& [of, axis, is_upper] = side;
+        const Cube& cube = *of;
         std::vector<std::uint32_t> face;
         for (const auto& [u, v] : {std::pair(0u, 0u), std::pair(1u, 0u), std::pair(1u, 1u), std::pair(0u, 1u)}) {
             CellCorner corner = cube.lower;
@@ -206,6 +257,7 @@ private:
 
     double cell_;
     std::vector<std::uint64_t> cubes_; ///< sorted
+    std::vector<Side> sides_;          ///< that no other cube covers
     std::unordered_map<std::uint64_t, std::uint32_t> ids_;
     PolygonSoup soup_;
 };
@@ -214,12 +266,10 @@ private:
 
 PolygonSoup read_octomap(std::string_view bytes) {
     const MapHeader header = read_header(bytes);
-    if (!header.cell)
-        throw InvalidInput("has no line \"res\" with the side of a cell");
     const std::vector<Cube> cubes = OccupiedLeaves(bytes.substr(header.end), header).take();
     if (cubes.empty())
         throw InvalidInput("has no occupied cell");
-    return CubeSurface(cubes, *header.cell).take();
+    return CubeSurface(cubes, header.cell).take();
 }
 
 } // namespace chasles::io

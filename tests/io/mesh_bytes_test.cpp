@@ -29,7 +29,7 @@ TEST(MeshBytes, RefusalsNameTheFileTheLineAndTheReason) {
     EXPECT_EQ(refusal(tetrahedron, "obj"), "obj: the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
     EXPECT_EQ(refusal("", "a.obj"), "a.obj: is empty");
     EXPECT_TRUE(refusal("version https://git-lfs.github.com/spec/v1\n", "a.stl").starts_with("a.stl: is a Git LFS p"));
-    EXPECT_EQ(refusal("v 0 0 0\n", "a.obj"), "a.obj: has no face; a mesh needs at least one");
+    EXPECT_TRUE(refusal("v 0 0 0\n", "a.obj").starts_with("a.obj: has no face; a mesh needs at least one"));
     EXPECT_TRUE(refusal("v 0 0 0\nv 1 x 0\n", "a.obj").starts_with("a.obj: line 2: "));
     const std::string bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"; // refused by the mesh layer
     EXPECT_TRUE(refusal(bent, "a.obj").starts_with("a.obj: line 5: face 0: "));

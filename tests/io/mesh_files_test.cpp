@@ -35,7 +35,14 @@ TEST_F(MeshFiles, NamesFilesThatCannotBeRead) {
     EXPECT_EQ(message(path("folder.obj")), "folder.obj: is a directory, not a file");
     EXPECT_EQ(message("empty.obj", ""), "empty.obj: is empty");
     EXPECT_EQ(message("blank.obj", "\n"), "blank.obj: has no face; a mesh needs at least one");
-    EXPECT_EQ(message("points.obj", "v 0 0 0\n"), "points.obj: has no face; a mesh needs at least one");
+    EXPECT_EQ(
+        message("points.obj", "v 0 0 0\n"),
+        "points.obj: has no face; a mesh needs at least one. As a cloud of points, the key \"points\" of a scene file "
+        "or, in Python, load_points reads it");
+    EXPECT_EQ(
+        message("cloud.pcd", "FIELDS x y z\n"),
+        "cloud.pcd: is a cloud of points, not a mesh; the key \"points\" of a scene file or, in Python, load_points "
+        "reads it");
     EXPECT_EQ(message("mesh", triangle).substr(0, 33), "mesh: no reader for the extension");
     EXPECT_EQ(message("mesh.txt", triangle).substr(0, 44), "mesh.txt: no reader for the extension '.txt'");
 }

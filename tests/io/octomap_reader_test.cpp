@@ -5,6 +5,8 @@
 #include "tests/io/post_files.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -144,19 +146,43 @@ TEST(OctomapReader, RefusesWithAReason) {
               "map.bt: does not begin with \"# Octomap OcTree\"; write it again "
               "with OctoMap 1.4 or later");
     EXPECT_EQ(refusal(with("id OcTree", "id SemanticOcTree")),
-              "map.bt: trees of the kind 'SemanticOcTree' are not read; OcTree and ColorOcTree are");
+              "map.bt: trees of the kind 'SemanticOcTree' are not read; OcTree, OcTreeStamped and ColorOcTree are");
     EXPECT_EQ(refusal(with("res 0.5", "res -1")), "map.bt: line 6: res needs a positive length: '-1'");
     EXPECT_EQ(refusal(with("res 0.5", "res nan")), "map.bt: line 6: res needs a positive length: 'nan'");
-    EXPECT_EQ(refusal(with("res 0.5\n", "")), "map.bt: has no line \"res\" with the side of a cell");
-    EXPECT_EQ(refusal(with("data\n", "")), "map.bt: ends before the line \"data\"");
-    EXPECT_EQ(refusal(with("size 18", "size 0")),
-              "map.bt: has 0 nodes and 32 bytes behind them; its header says 0 nodes");
-    EXPECT_EQ(refusal(map.substr(0, map.size() - 1)), "map.bt: ends after 16 of 18 nodes");
-    EXPECT_EQ(refusal(map + "x"), "map.bt: has 18 nodes and 1 bytes behind them; its header says 18 nodes");
+    EXPECT_EQ(refusal(with("res 0.5\n", "")), "map.bt: has no line 'res' before the line 'data'");
+    EXPECT_EQ(refusal(with("size 18\n", "")), "map.bt: has no line 'size' before the line 'data'");
+    EXPECT_EQ(refusal(with("res 0.5\n", "res 0.5\nres 1\n")), "map.bt: line 7: is a second line 'res'");
+    EXPECT_EQ(refusal(with("data\n", "")), "map.bt: ends before the line 'data'");
+    EXPECT_EQ(refusal(with("size 18", "size 0")), "map.bt: goes on behind its tree (bytes: 32)");
+    EXPECT_EQ(refusal(with("size 18", "size 17")), "map.bt: has a tree of another size (18) than its header says (17)");
+    EXPECT_EQ(refusal(map.substr(0, map.size() - 1)), "map.bt: ends in the middle of its tree (node 16 of 18)");
+    EXPECT_EQ(refusal(map + "x"), "map.bt: goes on behind its tree (bytes: 1)");
     const std::string header = map.substr(0, map.find("size")) + "size 99\nres 1\ndata\n";
     EXPECT_EQ(refusal(header + std::string(400, '\xff')), "map.bt: is deeper than 16 levels");
     EXPECT_EQ(refusal(map.substr(0, map.find("size")) + "size 1\nres 1\ndata\n" + std::string(2, '\0')),
               "map.bt: has no occupied cell");
+}
+
+// A tree of equal levels in which each node has four children, no two of which share a side: 4^11 cubes.
+TEST(OctomapReader, RefusesMoreThanFitsBeforeTheMemoryIsTaken) {
+    std::string bytes;
+    const std::function<void(int)> add = [&](int level) {
+        bytes += level < 10 ? std::string("\xc3\x3c", 2) : std::string("\x82\x28", 2);
+        for (int child = 0; level < 10 && child < 4; ++child)
+            add(level + 1);
+    };
+    add(0);
+    const std::string header = fmt::format("# Octomap OcTree binary file\nid OcTree\nsize {}\nres 1\ndata\n", 5592405);
+    EXPECT_EQ(refusal(header + bytes),
+              "map.bt: has cubes with more than 16777216 free sides; make a map of larger cells, "
+              "or of a part");
+}
+
+TEST(OctomapReader, RefusesLogOddsThatAreNoNumber) {
+    std::string map = OctomapWriter({{0, 0, 0}}, true).ot(0.5);
+    const std::string odds = tests::bytes_of(0.85f);
+    map.replace(map.rfind(odds), odds.size(), tests::bytes_of(std::nanf("")));
+    EXPECT_NE(refusal(map).find("has log odds that are no number (node "), std::string::npos);
 }
 
 TEST(OctomapReader, RefusesOrReadsAnyCut) {
