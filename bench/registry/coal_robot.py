@@ -1,11 +1,12 @@
 """A robot in Pinocchio and Coal: tests of single configurations, and of samples along an edge."""
 
+import pathlib
 import time
 
+import coal
 import fcl_judge
 import numpy as np
 import pinocchio
-import robot_worlds
 
 import chasles
 
@@ -13,10 +14,14 @@ import chasles
 class CoalRobot:
     """One call of pinocchio.computeCollisions a sample; a sample that collides ends the edge."""
 
-    def __init__(self, world: robot_worlds.World, robot: chasles.Robot):
-        self.file = str(robot_worlds.urdf_with_world(world))
+    def __init__(self, file: pathlib.Path, robot: chasles.Robot, cloud: coal.OcTree | None = None):
+        """`file` is a URDF file whose links "obstacle..." are the world, and so is the cloud."""
+        self.file = str(file)
         self.model = pinocchio.buildModelFromUrdf(self.file)
         self.geometry = pinocchio.buildGeomFromUrdf(self.model, self.file, pinocchio.GeometryType.COLLISION)
+        if cloud is not None:
+            here = pinocchio.SE3.Identity()
+            self.geometry.addGeometryObject(pinocchio.GeometryObject("obstacle", 0, 0, here, cloud))
         self.add_pairs(robot)
         self.data = self.model.createData()
         self.geometry_data = self.geometry.createData()
@@ -25,7 +30,7 @@ class CoalRobot:
         self.broad_phase = pinocchio.BroadPhaseManager_DynamicAABBTreeCollisionManager(
             self.model, self.geometry, self.geometry_data
         )
-        self.fcl = fcl_judge.FclJudge(self.geometry)
+        self.fcl = None if cloud is not None else fcl_judge.FclJudge(self.geometry)
         self.extent = float(
             np.linalg.norm(self.model.upperPositionLimit - self.model.lowerPositionLimit)
         )  # OMPL's largest distance
@@ -38,7 +43,7 @@ class CoalRobot:
             for j in range(i + 1, len(objects)):
                 if objects[i].parentJoint == objects[j].parentJoint:
                     continue
-                is_world = [links[k].startswith("obstacle") for k in (i, j)]
+                is_world = [objects[k].name.startswith("obstacle") for k in (i, j)]
                 if any(is_world) or robot.is_tested(links[i], links[j]):
                     self.geometry.addCollisionPair(pinocchio.CollisionPair(i, j))
 

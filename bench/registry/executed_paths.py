@@ -43,7 +43,7 @@ class Judge:
         self.robot = world.robot.load()
         self.scene = world.scene()
         self.checker = chasles.RobotChecker(self.robot, self.scene)
-        self.coal = coal_robot.CoalRobot(world, self.robot)
+        self.coal = coal_robot.CoalRobot(robot_worlds.urdf_with_world(world), self.robot)
 
     def is_clear(self, path: chasles.JointPath) -> bool:
         found = self.checker.first_contact_on_path(path)

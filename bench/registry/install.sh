@@ -54,7 +54,8 @@ vamp() {
     [ -f "$folder/libvamp_panda.so" ] && [ "$folder/libvamp_panda.so" -nt "$here/vamp/vamp_panda.cpp" ] && return 0
     "$folder/venv/bin/python" -m pip download --quiet --disable-pip-version-check --no-deps --no-binary vamp-planner \
         --dest "$folder" vamp-planner==0.6.4 || return 1
-    tar -xzf "$folder/vamp_planner-0.6.4.tar.gz" -C "$folder" vamp_planner-0.6.4/src/impl || return 1
+    tar -xzf "$folder/vamp_planner-0.6.4.tar.gz" -C "$folder" vamp_planner-0.6.4/src/impl \
+        vamp_planner-0.6.4/resources/panda/panda_spherized.urdf || return 1
     g++ -std=c++17 -O3 -march=native -mavx2 -fno-math-errno -fno-signed-zeros -fno-trapping-math -fno-rounding-math \
         -ffp-contract=fast -fassociative-math -w -shared -fPIC -I "$here/vamp" -I "$folder/vamp_planner-0.6.4/src/impl" \
         -isystem /usr/include/eigen3 "$here/vamp/vamp_panda.cpp" -o "$folder/libvamp_panda.so"

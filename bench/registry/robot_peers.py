@@ -63,7 +63,7 @@ class Worlds:
         self.checker = chasles.RobotChecker(self.robot, world.scene())
         inside = dataclasses.replace(world, cylinders_inside=True)
         self.checker_inside = chasles.RobotChecker(self.robot, inside.scene())
-        self.coal = coal_robot.CoalRobot(world, self.robot)
+        self.coal = coal_robot.CoalRobot(robot_worlds.urdf_with_world(world), self.robot)
         self.asks: dict[str, Ask | str] = {
             "chasles, is_clear": self.chasles_is_clear,
             "chasles, first_contact": self.chasles_first_contact,
@@ -102,7 +102,7 @@ class Worlds:
         except OSError as error:
             return str(error)
 
-    def judge(self, start: np.ndarray, goal: np.ndarray) -> bool:
+    def truth(self, start: np.ndarray, goal: np.ndarray) -> bool:
         """Whether the edge is clear, if Chasles and Coal agree."""
         found = self.checker.first_contact(start, goal)
         is_clear = found.verdict == "clear"
@@ -130,19 +130,31 @@ class Worlds:
         return edges
 
 
-def race(rows: dict[str, Row], worlds: Worlds, edges: list[tuple[np.ndarray, np.ndarray]]) -> None:
+    def judged(self, name: str, is_clear: bool, truth: bool, edge: tuple[np.ndarray, np.ndarray]) -> bool:
+        """The truth about what this peer was given: VAMP's cylinders are thinner than our prisms."""
+        return self.checker_inside.is_clear(*edge) if name == "VAMP" and is_clear and not truth else truth
+
+
+class World(typing.Protocol):
+    """What a race asks about. `asks` has a reason in place of a peer that is absent."""
+
+    asks: dict[str, Ask | str]
+
+    def truth(self, start: np.ndarray, goal: np.ndarray) -> bool: ...
+    def judged(self, name: str, is_clear: bool, truth: bool, edge: tuple[np.ndarray, np.ndarray]) -> bool: ...
+
+
+def race(rows: dict[str, Row], world: World, edges: list[tuple[np.ndarray, np.ndarray]]) -> None:
     for start, goal in edges:
-        truth = worlds.judge(start, goal)
-        for name, ask in worlds.asks.items():
+        truth = world.truth(start, goal)
+        for name, ask in world.asks.items():
             row = rows.setdefault(name, Row())
             if isinstance(ask, str):
                 row.absent = ask
                 continue
             answers = [ask(start, goal) for _ in range(RUNS)]
             is_clear = answers[0][0]
-            judged = truth
-            if name == "VAMP" and is_clear and not truth:  # its cylinders are thinner than our prisms
-                judged = worlds.checker_inside.is_clear(start, goal)
+            judged = world.judged(name, is_clear, truth, (start, goal))
             row.add(is_clear, judged, float(np.median([seconds for _, seconds in answers])))
 
 
@@ -154,7 +166,7 @@ def report(title: str, rows: dict[str, Row]) -> None:
         if row.absent:
             print(f"{name:24} absent: {row.absent}")
             continue
-        times = [np.median(row.seconds), np.median(row.of_clear), np.mean(row.seconds), max(row.seconds)]
+        times = [np.median(row.seconds), np.median(row.of_clear or [np.nan]), np.mean(row.seconds), max(row.seconds)]
         print(f"{name:24} " + " ".join(f"{1e6 * t:9.1f}" for t in times) + f" {row.missed:7} {row.false_alarms:13}")
     sys.stdout.flush()
 

@@ -1,9 +1,10 @@
-// VAMP's Panda (spheres), its validator of edges and its RRT-Connect, for Python's ctypes: bench/registry/vamp_peer.py.
+// VAMP's Panda (spheres), its clouds, validator of edges and RRT-Connect, for Python's ctypes: vamp_robot.py.
 // Built by install.sh from the headers of the source package vamp-planner.
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <vamp/collision/factory.hh>
+#include <vamp/collision/filter.hh>
 #include <vamp/planning/rrtc.hh>
 #include <vamp/planning/simplify.hh>
 #include <vamp/planning/validate.hh>
@@ -53,6 +54,17 @@ void vamp_add_cuboid(Panda* panda, const float* c, const float* angles, const fl
 void vamp_add_capsule(Panda* panda, const float* c, const float* angles, float radius, float length) {
     panda->given.capsules.push_back(vamp::collision::factory::capsule::center::flat(
         c[0], c[1], c[2], angles[0], angles[1], angles[2], radius, length));
+}
+/// A cloud of points with a radius, as VAMP's scripts make it: thinned by its own filter to the least radius of the
+/// robot's spheres. Returns how many points are left.
+int vamp_add_cloud(Panda* panda, const float* coordinates, int count, float radius) {
+    std::vector<vamp::collision::Point> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back({coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]});
+    const vamp::collision::Point origin{0, 0, 0};
+    const auto kept = vamp::collision::filter_pointcloud(points, Robot::min_radius, 10, origin, origin, origin, false);
+    panda->given.pointclouds.emplace_back(kept, Robot::min_radius, Robot::max_radius, radius);
+    return int(kept.size());
 }
 /// After all obstacles.
 void vamp_ready(Panda* panda) {
