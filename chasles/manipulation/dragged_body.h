@@ -17,7 +17,8 @@ enum class DragState : std::uint8_t {
     reached,  ///< the pose is the goal; with a lock, the pose of the lock at which the spring holds the least energy
     resting,  ///< the contacts hold the body against the pull of the hand
     moving,   ///< the rounds or the time are used up; the next update goes on
-    touching, ///< another body has come so near, or into the body, that it cannot be kept apart; nothing moves
+    touching, ///< another body is so near, or in the body, that it cannot be kept apart, from the start or since it
+              ///< came; nothing moves
 };
 
 /// A contact of the dragged body, which is its moving body.

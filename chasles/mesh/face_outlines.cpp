@@ -87,7 +87,8 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices, bool is_round) {
     if (!vertices.empty() && !is_point && (upper - lower).maxCoeff() < smallest_size)
         throw InvalidInput("mesh: all vertices lie within " + number_text((upper - lower).maxCoeff()) +
                            " of each other, which is too small to compute with (at least " +
-                           number_text(smallest_size) + ")");
+                           number_text(smallest_size) + ")" +
+                           (lower == upper && !is_round ? "; a point needs a radius above 0" : ""));
 }
 
 void SortedFaces::append(Outline& corners, std::uint32_t source, std::span<const Eigen::Vector3d> vertices) {
@@ -114,7 +115,7 @@ SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<cons
     }
     if (sorted.proper.source.empty() && !is_round)
         throw InvalidInput(
-            "mesh: no face has an area, so the mesh has no surface; no option but a radius above 0 accepts it");
+            "mesh: no face has an area, so the mesh has no surface; points and segments need a radius above 0");
     return sorted;
 }
 

@@ -86,6 +86,10 @@ Vector3d shift_against(std::span<const Vector3d> normals, double distance) {
 
 void require_closed(const Body& body, double distance) {
     const MeshReport& report = body.report();
+    if (report.segments == report.faces)
+        throw InvalidInput("mesh: radius: " + number_text(-distance) +
+                           " moves the faces of a closed body inwards, and points and segments have none; their radius "
+                           "must be above 0");
     if (report.unpaired_edges > 0 || report.segments > 0)
         throw InvalidInput("mesh: radius: " + number_text(-distance) +
                            " moves the faces of a closed body inwards, and this surface is not closed, or its faces "

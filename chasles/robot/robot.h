@@ -107,9 +107,11 @@ public:
     /// The poses of all links, in the order of the description.
     [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
     /// The shapes of all links and parts at a configuration as one rigid body, in the world: vertices are rounded to
-    /// doubles, and polygons that rounding bends are cut into triangles. Spheres and capsules are enclosed by polyhedra
-    /// that leave them by at most a hundredth of their radius. The options are about this body, whatever its shapes
-    /// are. Throws InvalidInput for a robot without shapes, for other shapes with a radius, and as link_pose.
+    /// doubles, and polygons that rounding bends are cut into triangles. Spheres and capsules are exact if all shapes
+    /// have the same radius (as a single one has), unless the body is its surface; otherwise polyhedra enclose them and
+    /// leave them by at most a hundredth of their radius. The options are about this body, whatever its shapes are; its
+    /// radius is added to what the shapes have. Throws InvalidInput for a robot without shapes, for other shapes with a
+    /// radius of which others differ, and as link_pose.
     [[nodiscard]] Polyhedron shape(const Configuration& configuration, const PolyhedronOptions& options = {}) const;
 
     /// Where the root link stands in the world.

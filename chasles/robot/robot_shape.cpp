@@ -1,9 +1,12 @@
 // A robot as one rigid body, for questions in which its joints do not move.
+#include "chasles/mesh/added_radius.h"
 #include "chasles/mesh/exact_orientation.h"
 #include "chasles/mesh/primitives.h"
 #include "chasles/robot/model.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace chasles {
 
@@ -68,22 +71,37 @@ Polyhedron surface_of(const Polyhedron& shape, const std::string& robot) {
     robot::refuse(robot, "has meshes with a radius, which are no surface of faces; leave it at 0");
 }
 
+/// The radius that all shapes have, and that their union has then: one sphere, or several capsules of one radius. None
+/// where it cannot be kept: a radius has an inside always, which `Solid::no` leaves out.
+std::optional<double> common_radius(const std::vector<robot::Element>& elements, Solid solid) {
+    if (elements.empty())
+        return std::nullopt;
+    const double radius = elements.front().shape.radius();
+    const auto has_another = [&](const robot::Element& element) { return element.shape.radius() != radius; };
+    if (std::ranges::any_of(elements, has_another) || (radius > 0 && solid == Solid::no))
+        return std::nullopt;
+    return radius;
+}
+
 } // namespace
 
 Polyhedron Robot::shape(const Configuration& configuration, const PolyhedronOptions& options) const {
     const std::array ends{configuration, configuration};
     const JointPath path = JointPath::straight(*this, ends);
     const robot::SegmentMotion motion = model_->motion_of(path.segments().front());
+    const std::optional<double> radius = common_radius(model_->elements, options.solid);
     MergedSurface surface;
     for (const robot::Element& element : model_->elements) {
         Eigen::Isometry3d pose = model_->pose_of(motion, element.owner, 0).isometry();
         if (element.owner < model_->description.links.size())
             pose = pose * model_->description.links[element.owner].collisions[element.shape_index].origin.isometry();
-        surface.add(surface_of(element.shape, model_->description.name), pose);
+        surface.add(radius ? element.shape : surface_of(element.shape, model_->description.name), pose);
     }
     if (surface.is_empty())
         robot::refuse(model_->description.name, "has no collision shapes");
-    return surface.body(options);
+    PolyhedronOptions of_body = options;
+    of_body.radius = added_radius(radius.value_or(0), options.radius);
+    return surface.body(of_body);
 }
 
 } // namespace chasles

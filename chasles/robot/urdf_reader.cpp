@@ -7,9 +7,11 @@
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
+#include "chasles/mesh/added_radius.h"
 #include "chasles/motion/turn_about.h"
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/primitive_shapes.h"
+#include "chasles/robot/shape_attributes.h"
 #include "chasles/robot/xml_file.h"
 
 #include <algorithm>
@@ -120,10 +122,9 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
                                    : "<geometry> has another shape already; write a second <collision>");
     const XmlElement* const shape = shapes[0];
     const std::string_view kind = shape->Name();
+    check_shape_attributes(file_, *shape, warnings_);
     const Pose place = origin(element);
-    const auto with_radius = [&](const Polyhedron& body) {
-        return files_.radius == 0 ? body : body.with_radius(body.radius() + files_.radius);
-    };
+    const auto with_radius = [&](const Polyhedron& body) { return with_added_radius(body, files_.radius); };
     try {
         if (kind == "mesh")
             return {with_radius(mesh(*shape)), place};

@@ -196,7 +196,18 @@ TEST(Round, RefusesSizesThatNoBodyHas) {
                   (void)Polyhedron::from_polygons(std::vector{Vector3d(0, 0, 0)},
                                                   std::vector<std::vector<std::uint32_t>>{{0, 0, 0}});
               }),
-              "mesh: all vertices lie within 0 of each other, which is too small to compute with (at least 1e-30)");
+              "mesh: all vertices lie within 0 of each other, which is too small to compute with (at least 1e-30); a "
+              "point needs a radius above 0");
+}
+
+/// A sphere has no faces that could move.
+TEST(Round, PointsAndSegmentsNeedARadiusAboveZero) {
+    const std::string below_zero = "mesh: radius: -0.05 moves the faces of a closed body inwards, and points and "
+                                   "segments have none; their radius must be above 0";
+    for (const Polyhedron& body : {make_sphere(1), make_capsule(1, 2)}) {
+        EXPECT_EQ(refusal([&] { (void)body.with_radius(-0.05); }), below_zero);
+        EXPECT_TRUE(refusal([&] { (void)body.with_radius(0); }).ends_with("a radius above 0"));
+    }
 }
 
 TEST(Round, WithRadiusKeepsEverythingElse) {

@@ -55,7 +55,7 @@ TEST(RefusedMeshes, CoordinatesBeyondArithmetic) {
     for (Eigen::Vector3d& vertex : soup.vertices)
         vertex = {1, 2, 3};
     EXPECT_EQ(refusal(soup), "mesh: all vertices lie within 0 of each other, which is too small to compute with "
-                             "(at least 1e-30)");
+                             "(at least 1e-30); a point needs a radius above 0");
 }
 
 TEST(RefusedMeshes, TooFewVerticesInAFace) {
@@ -67,7 +67,7 @@ TEST(RefusedMeshes, TooFewVerticesInAFace) {
 TEST(RefusedMeshes, NothingButCollapsedFaces) {
     const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
     EXPECT_EQ(refusal(soup),
-              "mesh: no face has an area, so the mesh has no surface; no option but a radius above 0 accepts it");
+              "mesh: no face has an area, so the mesh has no surface; points and segments need a radius above 0");
 }
 
 TEST(RefusedMeshes, PolygonsThatAreNotPlanar) {

@@ -102,8 +102,27 @@ TEST(RoundLinks, AreEnclosedInAShapeOfTheWholeRobot) {
     EXPECT_LE(report.upper.x(), 2.3 + 0.0031);
     EXPECT_GE(report.lower.z(), -1.006);
     EXPECT_LE(report.lower.z(), -1);
+    EXPECT_NEAR(robot.shape(at(0), {.radius = 0.5}).report().upper.x(), 2.8, 0.0031);
     const Robot mesh = turning_arm(make_box({1, 1, 1}).with_radius(0.1), 2, {{make_sphere(1), Pose()}});
     EXPECT_NE(refusal([&] { (void)mesh.shape(at(0)); }).find("has meshes with a radius"), std::string::npos);
+}
+
+TEST(RoundLinks, OfOneRadiusAreExactInAShapeOfTheWholeRobot) {
+    const Robot robot = turning_arm(make_sphere(0.3), 2, {{make_capsule(0.3, 1), Pose()}});
+    const Polyhedron shape = robot.shape(at(0));
+    EXPECT_EQ(shape.radius(), 0.3);
+    EXPECT_EQ(shape.vertex_count(), 3U);
+    EXPECT_NEAR(shape.report().upper.x(), 2.3, 1e-15);
+    EXPECT_NEAR(shape.report().lower.z(), -0.8, 1e-15);
+    EXPECT_EQ(robot.shape(at(0), {.solid = Solid::yes}).radius(), 0.3);
+    EXPECT_EQ(robot.shape(at(0), {.radius = 0.2}).radius(), 0.5);
+    EXPECT_EQ(robot.shape(at(0), {.radius = -0.1}).report().moved_inwards, 0);
+    EXPECT_NEAR(robot.shape(at(0), {.radius = -0.1}).radius(), 0.2, 1e-15);
+    EXPECT_EQ(refusal([&] { (void)robot.shape(at(0), {.radius = -0.4}); }),
+              "radius: that of the shape, 0.3, and the added one, -0.4, must be above 0 together");
+    const Polyhedron surface = robot.shape(at(0), {.solid = Solid::no});
+    EXPECT_EQ(surface.radius(), 0) << "a radius has an inside";
+    EXPECT_GT(surface.face_count(), 100U);
 }
 
 TEST(RoundLinks, ThatAlwaysOverlapAreProven) {

@@ -107,5 +107,37 @@ TEST_F(XmlFileTest, RefusesMisspeltElements) {
         EXPECT_EQ(read("</robot>", std::string(other) + "</robot>").links.size(), 2U) << other;
 }
 
+/// A capsule that somebody has called a sphere would be a sphere.
+TEST_F(XmlFileTest, RefusesAttributesOfOtherShapes) {
+    const std::string box = "<box size=\"1 2 3\"/>";
+    EXPECT_EQ(refused(box, R"(<sphere radius="1" length="3"/>)"),
+              "robot.urdf:5: <sphere>: the attribute length is not read; a sphere has radius");
+    EXPECT_EQ(refused(box, R"(<box size="1 2 3" radius="1"/>)"),
+              "robot.urdf:5: <box>: the attribute radius is not read; a box has size");
+    EXPECT_EQ(refused(box, R"(<capsule radius="1" length="3" Size="1"/>)"),
+              "robot.urdf:5: <capsule>: the attribute Size is not read; a capsule has radius and length");
+    EXPECT_EQ(refused(box, R"(<cylinder radius="1" length="3" scale="1 1 1"/>)"),
+              "robot.urdf:5: <cylinder>: the attribute scale is not read; a cylinder has radius and length");
+    EXPECT_EQ(refused(box, R"(<mesh filename="cube.obj" size="1 1 1"/>)"),
+              "robot.urdf:5: <mesh>: the attribute size is not read; a mesh has filename and scale");
+    const RobotDescription other = read(box, R"(<box size="1 2 3" drake:a="1" convex="true"/>)");
+    ASSERT_EQ(other.warnings.size(), 1U);
+    EXPECT_EQ(without_folder(other.warnings[0]),
+              "robot.urdf:5: <box>: the attribute convex is not read; a box has size");
+    EXPECT_TRUE(read(box, R"(<mesh filename="cube.obj" scale="1 2 3"/>)").warnings.empty());
+}
+
+TEST_F(XmlFileTest, AShapeAndTheAddedRadiusStayAboveZero) {
+    const auto shrunk = [&](const std::string& shape, double radius) {
+        return without_folder(message_of([&] { (void)shape_of(shape, {.radius = radius}); }));
+    };
+    EXPECT_EQ(shrunk(R"(<capsule radius="0.0625" length="1"/>)", -0.125),
+              "robot.urdf:5: <capsule>: radius: that of the shape, 0.0625, and the added one, -0.125, must be above 0 "
+              "together");
+    EXPECT_EQ(shrunk(R"(<sphere radius="0.0625"/>)", -0.0625),
+              "robot.urdf:5: <sphere>: radius: that of the shape, 0.0625, and the added one, -0.0625, must be above 0 "
+              "together");
+}
+
 } // namespace
 } // namespace chasles::tests

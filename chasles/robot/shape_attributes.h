@@ -1,0 +1,12 @@
+// The attributes of collision shapes: a misplaced one would change the shape, so none is left out silently.
+#pragma once
+
+#include "chasles/robot/xml_file.h"
+
+namespace chasles::robot {
+
+/// Fails for an attribute that belongs to another kind of shape (a sphere with a length). Warns of other attributes
+/// that the format does not have, unless their name has a namespace.
+void check_shape_attributes(const XmlFile& file, const XmlFile::Element& shape, std::vector<std::string>& warnings);
+
+} // namespace chasles::robot
