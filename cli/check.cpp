@@ -24,7 +24,7 @@ int run_check(const CheckOptions& options) {
         add_warnings(answer, question.bodies.warnings);
         print(answer.dump() + "\n");
     } else {
-        print(report(found, question.numbers, question.options));
+        print(report(found, question.numbers, question.options, {question.bodies.moving, question.bodies.fixed}));
     }
     return status_of(found.verdict);
 }

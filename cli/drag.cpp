@@ -22,6 +22,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 namespace chasles::cli {
 namespace {
@@ -73,7 +74,10 @@ public:
 
     void add(double time, const DragStep& step) {
         ++states_[step.state];
-        in_contact_ += step.contacts.empty() ? 0 : 1;
+        in_contact_ += step.contacts.empty() && step.state != DragState::touching ? 0 : 1;
+        if (step.state == DragState::touching)
+            for (const std::size_t body : step.touching)
+                touching_.insert(record_.bodies[body].name);
         pieces_ += step.pieces.size();
         work_ += step.work;
         record_.times.push_back(time);
@@ -97,14 +101,28 @@ public:
         record.margin = margin;
         return record;
     }
+    /// The line about the page, if there is one.
+    [[nodiscard]] std::string page_text(const std::string& page) const {
+        return page.empty() ? "" : page_lines(page, shapes_of(record_.bodies));
+    }
     [[nodiscard]] std::size_t updates() const { return record_.times.size(); }
     [[nodiscard]] bool has_contact() const { return in_contact_ > 0; }
+    /// Why the body does not move. Empty if it may.
+    [[nodiscard]] std::string why_stuck() const {
+        if (touching_.empty())
+            return {};
+        const std::vector<std::string> names(touching_.begin(), touching_.end());
+        return fmt::format("{} touches or overlaps {}, and does not move ({})", record_.bodies[dragged_].name,
+                           shortened(names, 3, names.size()), counted(count(DragState::touching), "update"));
+    }
+    static constexpr const char* way_out = "start with a gap, or leave the pair out by \"ignore\"";
     [[nodiscard]] nlohmann::ordered_json json(double margin) const {
         return {{"updates", record_.times.size()},
                 {"reached", count(DragState::reached)},
                 {"resting", count(DragState::resting)},
                 {"moving", count(DragState::moving)},
                 {"touching", count(DragState::touching)},
+                {"touched_by", touching_},
                 {"in_contact", in_contact_},
                 {"pieces", pieces_},
                 {"margin", margin},
@@ -115,6 +133,7 @@ public:
                labelled("states",
                         fmt::format("{} reached, {} resting, {} moving, {} touching", count(DragState::reached),
                                     count(DragState::resting), count(DragState::moving), count(DragState::touching))) +
+               (touching_.empty() ? "" : labelled("touching", why_stuck()) + labelled("way out", way_out)) +
                labelled("contact", counted(in_contact_, "update")) +
                labelled("pieces", std::to_string(pieces_) + ", each proven clear") + report(work_);
     }
@@ -164,6 +183,7 @@ private:
     Eigen::AlignedBox3d box_;
     view::SceneRecord record_;
     std::map<DragState, std::size_t> states_;
+    std::set<std::string> touching_; ///< other bodies, with DragState::touching
     std::size_t in_contact_ = 0;
     std::size_t pieces_ = 0;
     Work work_;
@@ -256,7 +276,10 @@ int run_drag(const DragCommand& options) {
         page->close();
     }
     if (!is_standard_output(options.out))
-        print(options.json ? json_of(hand, body.margin(), warnings).dump() + "\n" : hand.text());
+        print(options.json ? json_of(hand, body.margin(), warnings).dump() + "\n"
+                           : hand.text() + hand.page_text(options.page));
+    else if (!hand.why_stuck().empty())
+        print_warnings({hand.why_stuck() + "; " + Hand::way_out});
     return hand.has_contact() ? is_contact : is_clear;
 }
 
@@ -287,7 +310,7 @@ void add_drag(CLI::App& app, Task& task) {
         ->type_name("FILE");
     command.add_option("--page", options->page, "write a page (HTML) that replays the hand too")->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
-    add_radius_option(command, options->polyhedron.radius);
+    add_radius_option(command, options->polyhedron.radius, "a body");
     command
         .add_option("--margin", options->margin,
                     "gap that contacts keep; 0: a ten-thousandth of the body; default: the scene's")

@@ -68,7 +68,8 @@ void add_radius_option(CLI::App& command, double& radius, const std::string& of_
         .add_option_function<std::string>(
             "--radius", [&radius](const std::string& text) { radius = number_of("--radius", text); },
             "all points within this distance of " + of_what +
-                " belong to it; below 0: faces move inwards by so much, an overlap that is allowed (default 0)")
+                " belong to it, on top of a radius of its own; below 0: faces move inwards and round shapes shrink by "
+                "so much, an overlap that is allowed (default 0)")
         ->type_name("R");
 }
 
@@ -80,10 +81,12 @@ void add_radii_option(CLI::App& command, std::pair<double, double>& radii, const
         radii = {numbers[0], numbers.size() == 2 ? numbers[1] : 0};
     };
     command
-        .add_option_function<std::string>("--radius", read,
-                                          "radii of " + of_what +
-                                              ": all points within this distance belong to it; below 0: faces move "
-                                              "inwards by so much, an overlap that is allowed (default 0)")
+        .add_option_function<std::string>(
+            "--radius", read,
+            "radii of " + of_what +
+                ": all points within this distance belong to it, on top of a radius of its "
+                "own; below 0: faces move inwards and round shapes shrink by so much, an "
+                "overlap that is allowed (default 0)")
         ->type_name("A[,B]");
 }
 

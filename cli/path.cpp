@@ -160,7 +160,8 @@ std::string path_report(const StampedContact& answer, const view::MotionNumbers&
         return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
     return first_line + labelled("segment", segment_text(question, found.segment)) +
-           details(found.contact, motion, margin, answer.why_uncertain) + way_out_line(found.contact, question.options);
+           details(found.contact, motion, margin, answer.why_uncertain) +
+           way_out_line(found.contact, question.options, {question.bodies.moving, question.bodies.fixed});
 }
 
 int run_path(const PathOptions& options) {

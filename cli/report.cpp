@@ -7,6 +7,7 @@
 #include "cli/contact_table.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
+#include "view/round_surface.h"
 #include "view/why_uncertain.h"
 
 #include <algorithm>
@@ -49,6 +50,12 @@ std::string inside_line(const Inside& inside) {
                       outer = inside.moving_is_inside ? "fixed" : "moving";
     return labelled("inside", fmt::format("vertex {} of the {} body is inside of the {} body, at {}",
                                           inside.vertex.first, inner, outer, vector_text(inside.point)));
+}
+
+/// Whether its faces may move inwards.
+bool can_shrink(const Polyhedron& shape) {
+    const MeshReport report = shape.report();
+    return shape.radius() == 0 && report.unpaired_edges == 0 && report.segments == 0;
 }
 
 /// What contact at the start is more than a touch.
@@ -210,17 +217,27 @@ std::string naming_motion(const std::string& text, std::string_view motion) {
     return fmt::format("{}; motion: {}\n", io::one_line(text), motion);
 }
 
-std::string way_out_line(const FirstContact& found, const QueryOptions& options) {
+std::string way_out_line(const FirstContact& found, const QueryOptions& options, const Pair& bodies) {
     const bool passes_through = found.overlap && found.overlap->certain;
     if (found.verdict != Verdict::contact_at_start || found.inside || passes_through)
         return {};
+    const bool may_overlap = can_shrink(bodies.moving) || can_shrink(bodies.fixed);
     if (options.hold)
         return labelled(
-            "hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than {:.9g}, "
-                                "or allow an overlap by a radius below 0",
-                                *options.hold));
-    return options.margin > 0 ? ""
-                              : labelled("way out", "closed bodies that touch by design may have a radius below 0");
+            "hold",
+            fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than {:.9g}{}",
+                        *options.hold, may_overlap ? ", or allow an overlap by a radius below 0" : ""));
+    return options.margin > 0 || !may_overlap
+               ? ""
+               : labelled("way out", "closed bodies that touch by design may have a radius below 0");
+}
+
+std::string page_lines(const std::string& page, const std::vector<std::pair<std::string, Polyhedron>>& bodies) {
+    std::string text = labelled("page", page);
+    for (const auto& [name, shape] : bodies)
+        if (const std::string part = view::drawn_in_part(shape); !part.empty())
+            text += labelled("drawn", part + " of " + name);
+    return text;
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
@@ -260,9 +277,10 @@ std::string report_contact(const FirstContact& found, double margin, const std::
     return labelled("time", text_of(found.time)) + report_contact_features(found, margin, why_uncertain);
 }
 
-std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options) {
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options,
+                   const Pair& bodies) {
     return headline(found, options.margin, view::name_of(motion.kind), options.hold) +
-           details(found, motion, options.margin, view::why_uncertain(found)) + way_out_line(found, options);
+           details(found, motion, options.margin, view::why_uncertain(found)) + way_out_line(found, options, bodies);
 }
 
 std::string report_least(const LeastDistance& found) {

@@ -11,8 +11,15 @@
 
 namespace chasles::cli {
 
+/// The bodies of a question.
+struct Pair {
+    Polyhedron moving;
+    Polyhedron fixed;
+};
+
 /// The answer of `check` as a short text of several lines. With a margin the report shows the gaps.
-std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options);
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options,
+                   const Pair& bodies);
 
 /// The lines about the contact: time, certainty and features. `why_uncertain` is that of view/why_uncertain.h: the
 /// times of `found` may be stamps, which do not tell it.
@@ -31,8 +38,21 @@ std::string headline(const LeastDistance& found, std::string_view motion);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
                     const std::string& why_uncertain);
 
-/// The line after a contact at the start of bodies that touch: how to let them. Empty for other answers.
-std::string way_out_line(const FirstContact& found, const QueryOptions& options);
+/// The line after a contact at the start of bodies that touch: how to let them. Empty for other answers, and where
+/// neither body can have a radius below 0: one without faces, an open one, or one with a radius.
+std::string way_out_line(const FirstContact& found, const QueryOptions& options, const Pair& bodies);
+
+/// The line that names the page of these bodies, and what is not drawn on it.
+std::string page_lines(const std::string& page, const std::vector<std::pair<std::string, Polyhedron>>& bodies);
+
+/// The names and shapes of bodies of a scene or a record.
+template <typename Bodies>
+std::vector<std::pair<std::string, Polyhedron>> shapes_of(const Bodies& bodies) {
+    std::vector<std::pair<std::string, Polyhedron>> shapes;
+    for (const auto& body : bodies)
+        shapes.emplace_back(body.name, body.shape);
+    return shapes;
+}
 
 /// One line "  label     text". All lines are aligned.
 std::string labelled(const std::string& label, const std::string& text);

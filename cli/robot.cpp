@@ -281,18 +281,18 @@ int run_robot(const RobotCommand& options) {
     RobotAnswer found = of_files(options, [&] { return checker.first_contact(path); });
     const std::vector<RobotPair> others = others_at_start(checker, path, found);
     warn_if_untested(*found.untested, question.warnings);
-    const bool shows_page = page && found.verdict != Verdict::unknown;
-    if (shows_page) {
+    std::string of_page; ///< the lines about it
+    if (page && found.verdict != Verdict::unknown) {
         view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
         record.margin = question.options.margin;
         record.title = std::filesystem::path(options.robot.urdf).filename().string();
         page->write(view::scene_page(record));
         page->close();
+        of_page = page_lines(options.page, shapes_of(record.bodies));
     }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? answer_json(question, found, others)
-                       : robot_report(question, found, others) + (shows_page ? labelled("page", options.page) : ""));
+    print(options.json ? answer_json(question, found, others) : robot_report(question, found, others) + of_page);
     print_warnings(question.warnings);
     return status_of(found.verdict);
 }

@@ -81,7 +81,8 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
                        labelled("pair", pair_of(scene, first)) +
                        report_contact(first.contact, margin, view::why_uncertain(first.contact)) +
-                       way_out_line(first.contact, query.options);
+                       way_out_line(first.contact, query.options,
+                                    {scene.bodies()[first.moving].shape, scene.bodies()[first.fixed].shape});
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);
@@ -139,7 +140,7 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
     }
     const std::string text = options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
     const bool has_page = !options.page.empty() && answer.verdict != Verdict::unknown;
-    return text + (has_page ? labelled("page", options.page) : "");
+    return text + (has_page ? page_lines(options.page, shapes_of(file.scene.bodies())) : "");
 }
 
 /// An error names the file, unless it is about an option.
@@ -193,7 +194,7 @@ void add_scene(CLI::App& app, Task& task) {
         ->required()
         ->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
-    add_radius_option(command, options->polyhedron.radius);
+    add_radius_option(command, options->polyhedron.radius, "a body");
     auto* const all = command.add_flag("--all", options->all, "list the first contact of each pair, in order of time");
     command.add_option("--until", options->until, "leave out contacts after this time")
         ->type_name("T")

@@ -29,8 +29,6 @@ constexpr std::initializer_list<const char*> body_keys = {"name",   "mesh",   "p
     throw InvalidInput(why);
 }
 
-constexpr std::size_t most_listed = 12;
-
 /// The members of an object, which may have no other keys than these.
 class Members {
 public:
@@ -40,7 +38,7 @@ public:
         for (const auto& [key, value] : object.items())
             if (std::ranges::find(keys, key) == keys.end())
                 refuse("unknown key " + io::in_quotes(key) + "; the keys are " +
-                       shortened({keys.begin(), keys.end()}, most_listed, keys.size()));
+                       shortened({keys.begin(), keys.end()}, keys.size(), keys.size()));
     }
 
     /// Null if it is missing or null.
@@ -198,10 +196,12 @@ Polyhedron shape_in(const Members& body, Shapes& shapes) {
             found.emplace_back(kind, *shape);
     };
     look_for("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name), choice); });
-    look_for("sphere", [](const Json& json) { return make_sphere(number_in(json)); });
-    look_for("capsule", capsule_in);
+    look_for("sphere", [&](const Json& json) { return shapes.grown(make_sphere(number_in(json))); });
+    look_for("capsule", [&](const Json& json) { return shapes.grown(capsule_in(json)); });
     look_for("points", [&](const Json& name) { return shapes.get_points(text_in(name), choice); });
     if (found.empty()) {
+        if (!body.find("mesh"))
+            refuse("has no shape; a body has one of mesh, urdf, sphere, capsule and points");
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
         return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1), choice});
     }

@@ -2,6 +2,7 @@
 
 #include "chasles/io/cut_polygons.h"
 #include "chasles/io/text_scan.h"
+#include "chasles/mesh/added_radius.h"
 #include "cli/options.h"
 #include "cli/report.h"
 #include "view/names.h"
@@ -49,10 +50,14 @@ Polyhedron Shapes::get_urdf(const std::string& name, const BodyChoice& body) {
 }
 
 Polyhedron Shapes::get_points(const std::string& name, const BodyChoice& body) const {
-    const double radius = options_of(body).radius;
-    if (!(radius > 0))
+    const double radius = added_radius(body.radius.value_or(0), options_.radius);
+    if (!(body.radius.value_or(radius) > 0 && radius > 0))
         throw InvalidInput("need a radius above 0 beside them, which is that of every point");
     return load_points(folder_ / name, radius);
+}
+
+Polyhedron Shapes::grown(const Polyhedron& shape) const {
+    return with_added_radius(shape, options_.radius);
 }
 
 std::vector<std::string> Shapes::warnings() const {

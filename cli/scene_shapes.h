@@ -37,9 +37,12 @@ public:
     Polyhedron get(const MeshChoice& choice);
     /// All links of a robot whose joints do not move, as one body.
     Polyhedron get_urdf(const std::string& name, const BodyChoice& body);
-    /// The points of a file, with the radius of the body.
+    /// The points of a file, with the radius of the body, to which that of the options is added.
     [[nodiscard]] Polyhedron get_points(const std::string& name, const BodyChoice& body) const;
-    /// The options of a body. Its scale does not change its radius.
+    /// A sphere or a capsule with the radius of the options on top of its own.
+    [[nodiscard]] Polyhedron grown(const Polyhedron& shape) const;
+    /// The options of a body that is a surface: its own radius counts in the place of that of all bodies. Its scale
+    /// does not change its radius.
     [[nodiscard]] PolyhedronOptions options_of(const BodyChoice& body) const;
 
     /// About the robots, polygons that were cut, and units that differ. A mesh with a scale counts as one without a

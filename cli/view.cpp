@@ -44,7 +44,8 @@ int run_view(const ViewOptions& options) {
                            .fixed_name = fixed_name}));
     file.close();
     print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
-          way_out_line(found, question.options) + labelled("page", options.out));
+          way_out_line(found, question.options, {question.bodies.moving, question.bodies.fixed}) +
+          page_lines(options.out, {{moving_name, question.bodies.moving}, {fixed_name, question.bodies.fixed}}));
     return status_of(found.verdict);
 }
 

@@ -1,15 +1,19 @@
 #include "view/page_data.h"
 
 #include "view/drawn_mesh.h"
+#include "view/round_surface.h"
 
 namespace chasles::view {
 
 Json mesh_json(const Polyhedron& body) {
     const DrawnMesh mesh = drawn_mesh(body);
-    return {{"origin", vector_json(mesh.origin)},
-            {"vertices", packed(mesh.vertices)},
-            {"triangles", packed(mesh.triangles)},
-            {"creases", packed(mesh.creases)}};
+    Json json = {{"origin", vector_json(mesh.origin)},
+                 {"vertices", packed(mesh.vertices)},
+                 {"triangles", packed(mesh.triangles)},
+                 {"creases", packed(mesh.creases)}};
+    if (const std::string part = drawn_in_part(body); !part.empty())
+        json["drawn"] = part;
+    return json;
 }
 
 bool is_same_body(const Polyhedron& a, const Polyhedron& b) {

@@ -15,7 +15,7 @@ std::string packed(const Rows& rows) {
     return base64(std::as_bytes(std::span(rows)));
 }
 
-/// The drawn mesh of a body: origin, vertices, triangles and creases.
+/// The drawn mesh of a body: origin, vertices, triangles and creases, and what is drawn of it (`drawn`) if not all is.
 Json mesh_json(const Polyhedron& body);
 
 /// Whether two handles share one body. A page holds its mesh once.

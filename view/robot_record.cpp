@@ -137,7 +137,7 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
     const std::vector<JointPath::Segment>& segments = path.segments();
     const double begin = segments.front().begin, whole = segments.back().end - begin;
     const double end = answer.verdict == Verdict::clear ? segments.back().end : answer.time.lower;
-    SceneRecord record{.source = RecordSource::recording, .clear_until = answer.clear_until};
+    SceneRecord record{.source = RecordSource::first_contact, .clear_until = answer.clear_until};
     record.untested = *answer.untested;
     const auto& links = robot.description().links;
     std::vector<std::vector<Pose>> poses(links.size());

@@ -1,5 +1,6 @@
 #include "view/round_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -12,33 +13,65 @@ using Ids = std::array<std::uint32_t, 2>;
 
 /// More vertices than this have balls of eight triangles.
 constexpr std::size_t few = 1'000;
-/// So many balls are drawn at most.
+/// So many balls, and so many tubes, are drawn at most.
 constexpr std::size_t most = 20'000;
+
+struct RoundParts {
+    std::set<std::uint32_t> vertices;
+    std::set<Ids> edges;
+};
+
+RoundParts parts_of(const Polyhedron& body) {
+    RoundParts parts;
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        const auto outline = body.face(face);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::uint32_t from = outline[i], to = outline[(i + 1) % outline.size()];
+            parts.vertices.insert(from);
+            if (from != to)
+                parts.edges.insert({std::min(from, to), std::max(from, to)});
+        }
+    }
+    return parts;
+}
+
+/// A number that has no pattern where its index has one. Source: G. Steele, D. Lea, C. Flood, "Fast splittable
+/// pseudorandom number generators", 2014 (SplitMix64).
+std::uint64_t scrambled(std::uint64_t index) {
+    index = (index + 1) * 0x9e3779b97f4a7c15U;
+    index = (index ^ (index >> 30U)) * 0xbf58476d1ce4e5b9U;
+    index = (index ^ (index >> 27U)) * 0x94d049bb133111ebU;
+    return index ^ (index >> 31U);
+}
+
+/// At most `most` of them, always the same ones. Every n-th one would be stripes where points lie in rows.
+template <class Part>
+std::vector<Part> sample(const std::set<Part>& parts) {
+    const std::vector<Part> all(parts.begin(), parts.end());
+    if (all.size() <= most)
+        return all;
+    std::vector<std::size_t> order(all.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::ranges::nth_element(order, order.begin() + most, {}, scrambled);
+    order.resize(most);
+    std::vector<Part> chosen;
+    for (const std::size_t index : order)
+        chosen.push_back(all[index]);
+    return chosen;
+}
 
 class RoundSurface {
 public:
-    RoundSurface(DrawnMesh& drawn, const Polyhedron& body) : drawn_(drawn), body_(body), radius_(body.radius()) {
-        for (std::size_t face = 0; face < body.face_count(); ++face) {
-            const auto outline = body.face(face);
-            for (std::size_t i = 0; i < outline.size(); ++i) {
-                const std::uint32_t from = outline[i], to = outline[(i + 1) % outline.size()];
-                vertices_.insert(from);
-                if (from != to)
-                    edges_.insert({std::min(from, to), std::max(from, to)});
-            }
-        }
-    }
+    RoundSurface(DrawnMesh& drawn, const Polyhedron& body) : drawn_(drawn), body_(body), radius_(body.radius()) {}
 
     void add() {
-        const int sides = vertices_.size() <= few ? 24 : 4;
-        const std::size_t step = 1 + vertices_.size() / most;
-        std::size_t index = 0;
-        for (const std::uint32_t vertex : vertices_)
-            if (index++ % step == 0)
-                add_rings(place(vertex), Vector3d::Zero(), sides);
-        for (const auto& [from, to] : edges_)
-            if (vertices_.size() <= most)
-                add_rings(place(from), place(to) - place(from), sides);
+        const RoundParts parts = parts_of(body_);
+        const int sides = parts.vertices.size() <= few ? 24 : 4;
+        for (const std::uint32_t vertex : sample(parts.vertices))
+            add_rings(place(vertex), Vector3d::Zero(), sides);
+        for (const auto& [from, to] : sample(parts.edges))
+            add_rings(place(from), place(to) - place(from), sides);
         for (std::size_t face = 0; face < body_.face_count(); ++face)
             for (const auto& triangle : body_.triangles(face))
                 add_both_sides(triangle);
@@ -94,14 +127,25 @@ private:
     DrawnMesh& drawn_;
     const Polyhedron& body_;
     double radius_;
-    std::set<std::uint32_t> vertices_;
-    std::set<Ids> edges_;
 };
+
+/// "20000 of 100000 points", empty if all are drawn.
+std::string share(std::size_t count, const std::string& what) {
+    return count <= most ? "" : std::to_string(most) + " of " + std::to_string(count) + " " + what;
+}
 
 } // namespace
 
 void add_round_surface(DrawnMesh& drawn, const Polyhedron& body) {
     RoundSurface(drawn, body).add();
+}
+
+std::string drawn_in_part(const Polyhedron& body) {
+    if (body.radius() == 0)
+        return {};
+    const RoundParts parts = parts_of(body);
+    const std::string points = share(parts.vertices.size(), "points"), edges = share(parts.edges.size(), "edges");
+    return points + (points.empty() || edges.empty() ? "" : " and ") + edges;
 }
 
 } // namespace chasles::view

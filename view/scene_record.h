@@ -32,7 +32,7 @@ struct RecordedContact {
 };
 
 enum class RecordSource : std::uint8_t {
-    first_contact, ///< Scene::first_contact
+    first_contact, ///< Scene::first_contact, or RobotChecker::first_contact
     all_contacts,  ///< Scene::all_contacts
     recording
 };

@@ -62,6 +62,31 @@ TEST_F(DragCommand, WritesPosesAndForces) {
     EXPECT_EQ(rows[2][15], 0);
 }
 
+/// It is in contact as long as it is held, and somebody has to say why it does not move.
+TEST_F(DragCommand, ABodyThatStartsInsideOrAcrossIsInContact) {
+    for (const std::string start :
+         {R"("sphere": 0.1, "pose": [0, 0, -2])", R"("mesh": "cube.obj", "pose": [1.5, 1, -0.5])",
+          R"("mesh": "cube.obj", "pose": [0, 0, 0])"}) {
+        write("scene.json", R"({"bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4]},
+                                           {"name": "box", )" +
+                                start + "}]}");
+        const std::string drag = "drag scene.json --body box --goals goals.csv --out ";
+        const auto result = run(drag + "out.csv --json");
+        EXPECT_EQ(result.status, 1) << start;
+        const Json json = Json::parse(result.out);
+        EXPECT_EQ(json["touching"], 3) << start;
+        EXPECT_EQ(json["in_contact"], 3) << start;
+        EXPECT_EQ(json["touched_by"], Json::array({"table"})) << start;
+        const std::string why = "box touches or overlaps table, and does not move (3 updates)",
+                          way_out = "start with a gap, or leave the pair out by \"ignore\"";
+        const std::string text = run(drag + "out.csv").out;
+        EXPECT_NE(text.find("  touching  " + why + "\n  way out   " + way_out + "\n"), std::string::npos) << text;
+        const auto rows = run(drag + "/dev/stdout");
+        EXPECT_EQ(rows.status, 1);
+        EXPECT_NE(rows.err.find(why + "; " + way_out), std::string::npos) << rows.err;
+    }
+}
+
 TEST_F(DragCommand, TakesTheMarginOfTheScene) {
     const std::string bodies = R"("bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4]},
                                              {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1]}]})";

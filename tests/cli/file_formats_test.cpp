@@ -162,7 +162,7 @@ TEST_F(FileFormats, ABodyOfASceneMayBeOnePart) {
     EXPECT_EQ(
         scene(R"(, "colour": 1)", 0).err,
         "chasles: scene.json: body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, scale, pose, goal, "
-        "motion, centre, poses, group, solid, and 4 more\n");
+        "motion, centre, poses, group, solid, radius, sphere, capsule, points\n");
 }
 
 TEST_F(FileFormats, InfoTellsTheUnit) {

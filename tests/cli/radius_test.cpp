@@ -1,7 +1,10 @@
 // --radius, and round bodies of scenes.
 #include "tests/cli/cli_test_files.h"
 
+#include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace chasles::tests {
@@ -64,7 +67,8 @@ TEST_F(RadiusCommand, BodiesOfScenesHaveTheirOwn) {
                                        "and at most 1e30, and is 0\n");
     EXPECT_EQ(error(R"("capsule": [1, -1])"), "chasles: scene.json: body 1: 'other': capsule: length: must be positive "
                                               "and at most 1e30, and is -1\n");
-    EXPECT_EQ(error(R"("scale": 1)"), "chasles: scene.json: body 1: 'other': mesh: is missing\n");
+    EXPECT_EQ(error(R"("scale": 1)"), "chasles: scene.json: body 1: 'other': has no shape; a body has one of mesh, "
+                                      "urdf, sphere, capsule and points\n");
     EXPECT_EQ(error(R"("capsule": [1])"),
               "chasles: scene.json: body 1: 'other': capsule: needs [radius, length], and there are 1\n");
     EXPECT_EQ(error(R"("sphere": 1, "mesh": "cube.obj")"),
@@ -81,6 +85,75 @@ TEST_F(RadiusCommand, CloudsOfPointsAreBodiesOfScenes) {
     EXPECT_NEAR(scene(R"("points": "cloud.xyz", "radius": 0.5)" + way)["time"], 0.625, 1e-11);
     EXPECT_NEAR(scene(R"("points": "cloud.xyz")" + way, "--radius 0.5")["time"], 0.5, 1e-11) << "and the cube";
     EXPECT_NE(run("scene scene.json").err.find("points: need a radius above 0 beside them"), std::string::npos);
+}
+
+/// A cube that ends at x = 1, and bodies about x = 4 with a radius of 1/2: 5/2 apart.
+TEST_F(RadiusCommand, IsAddedToSpheresCapsulesAndPoints) {
+    write("point.xyz", "0 0 0\n");
+    write("ball.urdf", "<robot name='r'><link name='a'><collision><geometry><sphere radius='0.5'/></geometry>"
+                       "</collision></link></robot>");
+    for (const std::string shape : {R"("sphere": 0.5)", R"("capsule": [0.5, 0.25])",
+                                    R"("points": "point.xyz", "radius": 0.5)", R"("urdf": "ball.urdf")"}) {
+        const std::string body = shape + R"(, "pose": [4, 0.5, 0.5], "goal": [0, 0.5, 0.5])";
+        EXPECT_NEAR(scene(body)["time"], 0.625, 1e-11) << shape;
+        EXPECT_NEAR(scene(body, "--radius 0.25")["time"], 0.5, 1e-11) << shape << ", and the cube";
+        EXPECT_NEAR(scene(body, "--radius=-0.25")["time"], 0.75, 1e-11) << shape;
+        write("alone.json", R"({"bodies": [{"name": "other", )" + shape + "}]}");
+        const std::string error = run("scene alone.json --radius=-0.5").err;
+        EXPECT_NE(error.find("radius: that of the shape, 0.5, and the added one, -0.5, must be above 0 together"),
+                  std::string::npos)
+            << error;
+    }
+}
+
+/// A ball on a slide passes another one: the distance of their middles is 1.7, and 1.5 is the sum of their radii.
+TEST_F(RadiusCommand, IsAddedToRoundBodiesAroundRobots) {
+    write("slide.urdf", "<robot name='b'><link name='base'/><link name='ball'><collision><geometry>"
+                        "<sphere radius='0.5'/></geometry></collision></link><joint name='j' type='prismatic'>"
+                        "<parent link='base'/><child link='ball'/><axis xyz='1 0 0'/>"
+                        "<limit lower='-40' upper='40'/></joint></robot>");
+    write("path.csv", "j\n-10\n10\n");
+    write("point.xyz", "0 0 0\n");
+    for (const std::string shape :
+         {R"("sphere": 1)", R"("capsule": [1, 0.5])", R"("points": "point.xyz", "radius": 1)"}) {
+        write("scene.json", R"({"bodies": [{"name": "ball", )" + shape + R"(, "pose": [0, 1.7, 0]}]})");
+        const std::string robot = "robot slide.urdf --path path.csv --scene scene.json ";
+        EXPECT_EQ(answer(robot)["verdict"], "clear") << shape;
+        EXPECT_NEAR(answer(robot + "--radius 0,0.3")["time"], (10 - std::sqrt(1.8 * 1.8 - 1.7 * 1.7)) / 20, 1e-11);
+        EXPECT_NEAR(answer(robot + "--radius 0.2,0.3")["time"], (10 - std::sqrt(2.0 * 2.0 - 1.7 * 1.7)) / 20, 1e-11);
+        EXPECT_NEAR(answer(robot + "--clearance")["distance_upper"], 0.2, 1e-6) << shape;
+        EXPECT_NEAR(answer(robot + "--clearance --radius 0.05,0.1")["distance_upper"], 0.05, 1e-6) << shape;
+        EXPECT_NEAR(answer(robot + "--clearance --radius=-0.05,-0.1")["distance_upper"], 0.35, 1e-6) << shape;
+    }
+}
+
+/// A ball comes down onto another one; both have a radius of 1/2.
+TEST_F(RadiusCommand, IsAddedToRoundBodiesInAHand) {
+    write("scene.json", R"({"bodies": [{"name": "fixed", "sphere": 0.5},
+                                       {"name": "ball", "capsule": [0.5, 0.25], "pose": [3, 0, 0]}]})");
+    write("goals.csv", "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,0,0,0\n");
+    const auto place = [&](const std::string& radius) {
+        EXPECT_EQ(
+            run("drag scene.json --body ball --goals goals.csv --out out.csv --margin 0.001 --rounds 99 " + radius)
+                .status,
+            1);
+        std::ifstream stream(path("out.csv"));
+        const std::string rows(std::istreambuf_iterator<char>(stream), {});
+        return std::stod(rows.substr(rows.find("\n1,") + 3));
+    };
+    EXPECT_NEAR(place(""), 1.001, 1e-6);
+    EXPECT_NEAR(place("--radius 0.25"), 1.501, 1e-6);
+    EXPECT_NEAR(place("--radius=-0.25"), 0.501, 1e-6);
+}
+
+/// A hint about radii below 0 is for bodies that can have one.
+TEST_F(RadiusCommand, RoundBodiesGetNoHintThatTheyCannotUse) {
+    const std::string balls = R"({"bodies": [{"name": "a", "sphere": 1},
+        {"name": "b", "sphere": 1, "pose": [1.5, 0, 0], "goal": [5, 0, 0]}]})";
+    write("scene.json", balls);
+    const auto found = run("scene scene.json");
+    EXPECT_NE(found.out.find("CONTACT AT THE START"), std::string::npos) << found.out;
+    EXPECT_EQ(found.out.find("way out"), std::string::npos) << found.out;
 }
 
 TEST_F(RadiusCommand, IsForRobotsAndTheirScenes) {

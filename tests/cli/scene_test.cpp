@@ -226,8 +226,9 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     const auto body = [](const std::string& more) {
         return R"({"bodies": [{"name": "a", "mesh": "cube.obj")" + more + "}]}";
     };
-    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, "
-                                                 "scale, pose, goal, motion, centre, poses, group, solid, and 4 more");
+    EXPECT_EQ(refused(body(R"(, "colour": 1)")),
+              "body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, "
+              "scale, pose, goal, motion, centre, poses, group, solid, radius, sphere, capsule, points");
     EXPECT_EQ(refused(body(R"(, "pose": [1, 2])")).substr(0, 29), "body 1: 'a': pose: 2 numbers ");
     EXPECT_EQ(refused(body(R"(, "scale": -1)")),
               "body 1: 'a': scale: must be one positive number; mirror the mesh or scale its axes in the mesh file");
@@ -261,7 +262,7 @@ TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {
     write("names.json", R"({"bodies": [{"name": "a\u001b[31m\nb", "mesh": "cube.obj"},
                                        {"name": "c\u009b2J\u007f", "mesh": "cube.obj", "pose": [3, 0, 0], "goal": [0.5, 0, 0]}]})");
     const std::string text = run("scene names.json").out;
-    EXPECT_NE(text.find("  pair      c\\u009b2J? on a?[31m b\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("  pair      c?2J? on a?[31m b\n"), std::string::npos) << text;
     const std::string line = run("scene names.json --json").out;
     EXPECT_EQ(Json::parse(line)["pair"], Json({"c\u009b2J\u007f", "a\u001b[31m\nb"})) << "the names as they are";
     EXPECT_TRUE(std::ranges::none_of(line, [](char c) { return c == '\x7f' || c == '\x9b' || c == '\x1b'; }));

@@ -3,10 +3,14 @@
 
 #include "chasles/mesh/primitives.h"
 #include "tests/mesh/shapes.h"
+#include "view/round_surface.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <set>
 
 namespace chasles {
 namespace {
@@ -105,6 +109,40 @@ TEST(DrawnMesh, ShowsRoundBodiesRound) {
     for (std::size_t i = 0; i < cloud.size(); ++i)
         cloud[i].x() = double(i);
     EXPECT_LT(view::drawn_mesh(make_points(cloud, 0.5)).triangles.size(), 1'000'000U);
+}
+
+/// Every second or third point of a grid would be stripes, with gaps between them that are wider than the points.
+TEST(DrawnMesh, ShowsAPartOfALargeCloudWithoutAPattern) {
+    constexpr int side = 300; // 90,000 points; 20,000 are drawn
+    std::vector<Eigen::Vector3d> grid;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            grid.emplace_back(row, column, 0);
+    const Polyhedron cloud = make_points(grid, 0.25);
+    const view::DrawnMesh mesh = view::drawn_mesh(cloud);
+    std::set<std::pair<int, int>> drawn;
+    for (const auto& triangle : mesh.triangles) {
+        const Eigen::Vector3d place = corner(mesh, triangle[0]);
+        drawn.emplace(int(std::lround(place.x())), int(std::lround(place.y())));
+    }
+    EXPECT_EQ(drawn.size(), 20'000U);
+    EXPECT_EQ(view::drawn_in_part(cloud), "20000 of 90000 points");
+    EXPECT_EQ(view::drawn_in_part(make_sphere(1)), "");
+    EXPECT_EQ(view::drawn_in_part(make_box({1, 1, 1})), "");
+    for (int line = 0; line < side; ++line)
+        for (const auto& [row, column, down, across] :
+             {std::array{line, 0, 0, 1}, std::array{0, line, 1, 0}, std::array{0, line, 1, 1}}) {
+            int count = 0;
+            for (int i = 0; i < side; ++i)
+                count += drawn.contains({(row + i * down) % side, (column + i * across) % side}) ? 1 : 0;
+            EXPECT_NEAR(count, 20'000 / side, 36) << "five standard deviations";
+        }
+    for (int modulus = 2; modulus <= 9; ++modulus)
+        for (int rest = 0; rest < modulus; ++rest) {
+            const auto count = std::ranges::count_if(
+                drawn, [&](const auto& at) { return (at.first * side + at.second) % modulus == rest; });
+            EXPECT_NEAR(double(count), 20'000.0 / modulus, 350) << modulus;
+        }
 }
 
 } // namespace

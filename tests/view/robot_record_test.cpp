@@ -60,6 +60,16 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
         }
 }
 
+/// A page says what is proven. That of a recording says only what was recorded.
+TEST(RobotRecord, IsAnAnswer) {
+    const Robot robot(shaft_with_wheel(1));
+    RobotAnswer answer = answer_of(Verdict::clear);
+    answer.clear_until = 1;
+    const view::SceneRecord record = view::robot_record(robot, nullptr, turning(robot, 0.1), answer);
+    EXPECT_EQ(record.source, view::RecordSource::first_contact);
+    EXPECT_EQ(record.clear_until, 1);
+}
+
 TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     const Robot robot(shaft_with_wheel(1));
     Scene world;

@@ -22,6 +22,10 @@ SCENE = {
     ]
 }
 ROWS = 400
+# A ball that slides along x from -3, towards the table of `doubt`, which begins at 0.
+SLIDE = """<robot name="slide"><link name="base"/><link name="ball"><collision><origin xyz="-3 0.5 0.5"/><geometry>
+<sphere radius="0.5"/></geometry></collision></link><joint name="x" type="prismatic"><parent link="base"/><child link="ball"/>
+<axis xyz="1 0 0"/><limit lower="-9" upper="9"/></joint></robot>"""
 
 
 def packed(numbers: list) -> str:
@@ -63,6 +67,17 @@ class ScenePage(PageTest):
         run("scene", "doubt.json", "--page", "doubt_scene.html")
         (folder / "empty.json").write_text('{"bodies": []}')
         run("scene", "empty.json", "--page", "empty.html")
+        cloud = "".join(f"{i % 150} {i // 150} -9\n" for i in range(150 * 150))
+        (folder / "cloud.xyz").write_text(cloud)
+        large = {"name": "cloud", "points": "cloud.xyz", "radius": 0.25}
+        (folder / "cloud.json").write_text(json.dumps({"bodies": [large, sliding]}))
+        cls.cloud = run("scene", "cloud.json", "--page", "cloud.html").stdout
+        (folder / "slide.urdf").write_text(SLIDE)
+        for name, path in [("robot_clear", "t,x\n10,0\n12,1\n"), ("robot_contact", "t,x\n10,0\n12,4\n")]:
+            (folder / "path.csv").write_text(path)
+            run("robot", "slide.urdf", "--path", "path.csv", "--scene", "doubt.json", "--margin", "0", "--page", f"{name}.html")
+        (folder / "path.csv").write_text("t,x\n10,3.5\n12,0\n")
+        run("robot", "slide.urdf", "--path", "path.csv", "--scene", "doubt.json", "--margin", "0", "--page", "robot_start.html")
         for name, contacts in [("recording", ROWS), ("silent", 0)]:
             (folder / f"{name}.html").write_text(recording((folder / "all.html").read_text(), contacts))
 
@@ -170,6 +185,24 @@ class ScenePage(PageTest):
     def test_a_scene_may_be_empty(self) -> None:
         self.open("empty.html")
         self.assertIn("0 bodies", self.text("#meaning"))
+
+    def test_a_robot_has_the_verdict_of_its_answer(self) -> None:
+        self.open("robot_clear.html")
+        self.assertEqual(self.text("#verdict"), "Clear")
+        self.assertIn("Proven: no tested pair touches before time 12.", self.text("#meaning"))
+        self.open("robot_contact.html")
+        self.assertEqual(self.text("#verdict"), "First contact")
+        self.assertIn("The first pair touches inside the bracket, and not before its lower end.", self.text("#meaning"))
+        self.assertEqual(self.time(), 11.25)
+        self.open("robot_start.html")
+        self.assertEqual(self.text("#verdict"), "Contact at the start")
+
+    def test_it_says_how_much_of_a_cloud_is_drawn(self) -> None:
+        self.open("cloud.html")
+        self.assertIn("Not all is drawn: 20000 of 22500 points of cloud.", self.text("#meaning"))
+        self.assertIn("  drawn     20000 of 22500 points of cloud\n", self.cloud)
+        self.open("all.html")
+        self.assertNotIn("drawn", self.text("#meaning"))
 
     def test_a_recording_has_its_own_times(self) -> None:
         self.open("recording.html")

@@ -2,7 +2,7 @@
 // the same double.
 import { contactList, insideSection, overlapName } from "./contact_details";
 import { byId, element, more, table } from "./elements";
-import type { Answer, Scene, Vector } from "./scene";
+import { type Answer, drawnText, type Scene, type Vector } from "./scene";
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
@@ -77,7 +77,7 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   byId("moving-name").textContent = `moving: ${scene.moving.name}`;
   byId("fixed-name").textContent = `fixed: ${scene.fixed.name}`;
   byId("verdict").textContent = verdicts[answer.verdict];
-  byId("meaning").textContent = meaning(answer, scene.margin);
+  byId("meaning").textContent = meaning(answer, scene.margin) + drawnText(scene.meshes, [scene.moving, scene.fixed]);
   const numbers = byId("numbers");
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));

@@ -2,16 +2,24 @@
 import { contactList, insideSection, overlapName } from "./contact_details";
 import { byId, element, table } from "./elements";
 import { pairText, type RecordedContact, type SceneRecord, type Untested } from "./record";
+import { drawnText } from "./scene";
+import { unpackedNumbers } from "./track";
 
 function counted(count: number, one: string, many: string): string {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 }
 
-function verdict({ source, events }: SceneRecord): string {
+/** Whether the first contact comes after the beginning: stamps of a robot may begin anywhere. */
+function isLater({ events, times }: SceneRecord): boolean {
+  return events[0].time_upper > unpackedNumbers(times)[0];
+}
+
+function verdict(record: SceneRecord): string {
+  const { source, events } = record;
   if (source === "recording") return events.length === 0 ? "Recording" : counted(events.length, "contact", "contacts");
   if (events.length === 0) return "Clear";
   if (source === "all_contacts") return counted(events.length, "pair touches", "pairs touch");
-  return events[0].time_upper > 0 ? "First contact" : "Contact at the start";
+  return isLater(record) ? "First contact" : "Contact at the start";
 }
 
 /** What a clear answer has proven. Without its time, it is about the time that was asked about. */
@@ -32,7 +40,7 @@ function meaning(record: SceneRecord): string {
   if (source === "recording") return events.length === 0 ? `No contacts were recorded. ${interpolated}` : interpolated;
   if (events.length === 0) return clearMeaning(touch, clear_until);
   if (source === "all_contacts") return `The first contact of each pair, in order of time.${limitText(record)}`;
-  const where = events[0].time_upper > 0 ? "inside the bracket" : "at the start";
+  const where = isLater(record) ? "inside the bracket" : "at the start";
   if (!events[0].certain) return `Whether a pair ${touch} ${where} could not be told from a miss.`;
   if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
   const others = events.length > 1 ? " The brackets of all listed pairs overlap." : "";
@@ -62,7 +70,7 @@ export function fillRecordPanel(record: SceneRecord): void {
   byId("verdict").textContent = verdict(record);
   const resting = bodies.filter(({ poses }) => poses.length <= 76).length; // one pose of 56 bytes in base64
   const rest = resting > 0 ? `, ${resting.toLocaleString("en")} at rest` : "";
-  byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}${untestedText(record)}`;
+  byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}${untestedText(record)}${drawnText(record.meshes, bodies)}`;
 }
 
 function timeRows({ source }: SceneRecord, event: RecordedContact): [string, string | number][] {

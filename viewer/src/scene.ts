@@ -58,6 +58,13 @@ export interface PackedMesh {
   vertices: string; // float32, relative to the origin
   triangles: string; // uint32
   creases: string; // uint32
+  drawn?: string; // "20000 of 100000 points"; absent: all
+}
+
+/** " Not all is drawn: 20000 of 100000 points of cloud." */
+export function drawnText(meshes: PackedMesh[], bodies: PackedBody[]): string {
+  const parts = bodies.filter(({ mesh }) => meshes[mesh].drawn).map(({ name, mesh }) => `${meshes[mesh].drawn} of ${name}`);
+  return parts.length > 0 ? ` Not all is drawn: ${parts.join("; ")}.` : "";
 }
 
 export interface PackedBody {
