@@ -80,7 +80,10 @@ def plot(
 
 
 def _new_axes() -> Axes3D:
-    import matplotlib.pyplot as plt
+    try:
+        import matplotlib.pyplot as plt
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("plot draws with matplotlib, which is not installed: pip install matplotlib") from error
 
     return plt.figure(figsize=(8, 6.5), layout="constrained").add_subplot(projection="3d")
 

@@ -29,8 +29,9 @@ def round_polygons(vertices: Array, outlines: Outlines, radius: float, most: int
     fitting = [n for n in SIDES if corners * n * n // 2 + edges * n <= left]
     if fitting:
         return moved + surface.balls(surface.corners, fitting[0]) + surface.tubes(fitting[0])
-    step = math.ceil(corners * SIDES[-1] ** 2 / 2 / left)
-    return moved + surface.balls(surface.corners[::step], SIDES[-1])
+    count = max(1, min(corners, int(2 * left / SIDES[-1] ** 2)))
+    some = np.random.default_rng(1).permutation(surface.corners)[:count]  # every n-th one would be stripes
+    return moved + surface.balls(some, SIDES[-1])
 
 
 class _Surface:

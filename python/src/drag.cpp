@@ -248,7 +248,8 @@ void bind_step(nb::module_& module) {
         .def_prop_ro(
             "state", [](const PythonStep& s) { return name_of(s.step.state); },
             "\"reached\": the pose is the goal. \"resting\": the contacts hold the body. \"moving\": the rounds or the "
-            "time\nare used up. \"touching\": another body has come so near that nothing can be kept apart.")
+            "time\nare used up. \"touching\": another body is so near, or overlaps, from the\n"
+            "start or since it came, that nothing can be kept apart; nothing moves.")
         .def_prop_ro("contacts", contacts_of, nb::sig("def contacts(self) -> list[DragContact]"),
                      doc("DragStep.contacts"))
         .def_prop_ro("events", events_of, nb::sig("def events(self) -> list[DragEvent]"),

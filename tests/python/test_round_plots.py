@@ -1,5 +1,7 @@
 """Round bodies are drawn round by plot."""
 
+import sys
+
 import numpy as np
 import pytest
 from cubes import CUBE_FACES, CUBE_VERTICES
@@ -66,6 +68,22 @@ def test_large_bodies_are_thinned_out():
     drawn = _polygons(chasles.points(points, 0.02))
     assert MOST_TRIANGLES / 2 < len(drawn) <= MOST_TRIANGLES
     np.testing.assert_allclose(np.ptp(np.concatenate(drawn), axis=0), 2, atol=0.1)
+
+
+def test_points_in_rows_are_thinned_out_without_stripes():
+    rows, columns = np.meshgrid(np.arange(200.0), np.arange(200.0))
+    drawn = _polygons(chasles.points(np.stack([rows.ravel(), columns.ravel(), 0 * rows.ravel()], axis=1), 0.25))
+    middles = np.round([polygon[:, :2].mean(axis=0) for polygon in drawn])
+    for axis in (0, 1):
+        assert len(np.unique(middles[:, axis])) > 190
+
+
+def test_plots_without_matplotlib_say_what_to_install(cube, monkeypatch):
+    for module in ("matplotlib", "matplotlib.pyplot"):
+        monkeypatch.setitem(sys.modules, module, None)
+    found = chasles.first_contact(cube, cube, [3, 0, 0], [0, 0, 0])
+    with pytest.raises(ModuleNotFoundError, match="pip install matplotlib"):
+        found.plot()
 
 
 def test_a_radius_that_is_not_seen_leaves_the_mesh(cube):
