@@ -2,7 +2,7 @@
 
 #include "chasles/io/cut_polygons.h"
 #include "chasles/io/text_scan.h"
-#include "chasles/mesh/added_radius.h"
+#include "chasles/robot/added_radius.h"
 #include "cli/options.h"
 #include "cli/report.h"
 #include "view/names.h"

@@ -1,7 +1,7 @@
 // A robot as one rigid body, for questions in which its joints do not move.
-#include "chasles/mesh/added_radius.h"
 #include "chasles/mesh/exact_orientation.h"
 #include "chasles/mesh/primitives.h"
+#include "chasles/robot/added_radius.h"
 #include "chasles/robot/model.h"
 
 #include <algorithm>

@@ -81,7 +81,7 @@ def test_points_in_rows_are_thinned_out_without_stripes():
 def test_plots_without_matplotlib_say_what_to_install(cube, monkeypatch):
     for module in ("matplotlib", "matplotlib.pyplot"):
         monkeypatch.setitem(sys.modules, module, None)
-    found = chasles.first_contact(cube, cube, [3, 0, 0], [0, 0, 0])
+    found = chasles.first_contact(cube, cube, [3, 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0, 0])
     with pytest.raises(ModuleNotFoundError, match="pip install matplotlib"):
         found.plot()
 

@@ -1,4 +1,5 @@
-// A radius that is added to what a shape has already: spheres, capsules and clouds of points grow and shrink by it.
+// The radius of an option, added to what the shape of a file has already: spheres, capsules and clouds of points grow
+// and shrink by it.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"

@@ -1,4 +1,4 @@
-#include "chasles/mesh/added_radius.h"
+#include "chasles/robot/added_radius.h"
 
 #include "chasles/algebra/double_double.h"
 #include "chasles/base/invalid_input.h"

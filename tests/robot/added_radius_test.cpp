@@ -1,5 +1,5 @@
 // Radii that are added: never below the exact sum, and never 0 for what has no faces.
-#include "chasles/mesh/added_radius.h"
+#include "chasles/robot/added_radius.h"
 
 #include "chasles/mesh/primitives.h"
 #include "tests/support/refusal.h"
