@@ -112,10 +112,6 @@ Bodies load_bodies(const BodyOptions& options) {
     return {moving.body, fixed.body, warnings};
 }
 
-std::string placed(const std::string& place, const std::string& why) {
-    return why.starts_with(place + ": ") ? why : place + ": " + why;
-}
-
 double number_of(const std::string& option, const std::string& text) {
     const std::vector<double> numbers = at_place(option, [&] { return io::parse_numbers(text); });
     if (numbers.size() != 1)

@@ -52,7 +52,9 @@ void add_body_options(CLI::App& command, BodyOptions& options);
 Bodies load_bodies(const BodyOptions& options);
 
 /// "PLACE: REASON", also of a reason that names the place already.
-std::string placed(const std::string& place, const std::string& why);
+inline std::string placed(const std::string& place, const std::string& why) {
+    return why.starts_with(place + ": ") ? why : place + ": " + why;
+}
 
 /// What `read` returns. What it throws as InvalidInput gets the place in front: "PLACE: REASON".
 template <typename Read>
