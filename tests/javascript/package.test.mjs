@@ -86,6 +86,14 @@ test("the four formats give the same body", () => {
   }
 });
 
+test("a map of OctoMap is the cubes of its occupied cells", () => {
+  const header = "# Octomap OcTree binary file\nid OcTree\nsize 2\nres 0.5\ndata\n";
+  const bytes = new Uint8Array([...new TextEncoder().encode(header), 2, 0]); // the first of eight children is occupied
+  const { faces, closed, volume, lower, upper } = chasles.fromFile(bytes, "map.bt").report;
+  assert.deepEqual([faces, closed, volume], [6, true, 16384 ** 3]);
+  assert.deepEqual([[...lower], [...upper]], [[-16384, -16384, -16384], [0, 0, 0]]);
+});
+
 test("files that cannot be read are refused with their name, the line and the reason", () => {
   const read = (text, name) => refusal(() => chasles.fromFile(new TextEncoder().encode(text), name));
   assert.equal(read("v 0 0 nan\n", "a.obj").slice(0, 13), "a.obj: line 1");

@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+import pathlib
 import struct
 import zipfile
 
@@ -131,6 +132,17 @@ def test_text_may_have_any_line_ends(name, end, tmp_path):
     path.write_bytes(path.read_bytes().replace(b"\n", end.encode()))
     np.testing.assert_array_equal(chasles.load(path).vertices, body.vertices)
     assert chasles.load(path).faces == body.faces
+
+
+@pytest.mark.parametrize("name", ["post.bt", "post.ot", "color.ot"])
+def test_maps_of_octomap_mean_the_same(name, tmp_path):
+    path = pathlib.Path(__file__).parents[1] / "fuzz/corpus/mesh_files" / name  # OctoMap wrote them
+    for body in [chasles.load(path), *chasles.load_parts(path).values()]:
+        assert body.report.closed and body.report.volume == 1 / 64
+        np.testing.assert_array_equal(body.vertices.min(axis=0), LOWER)
+        np.testing.assert_array_equal(body.vertices.max(axis=0), UPPER)
+    with pytest.raises(chasles.InvalidInput, match="is a map of cubes, not of points"):
+        chasles.load_points(path, 0.1)
 
 
 def test_load_merges_an_assembly_and_load_parts_keeps_its_parts(tmp_path):
