@@ -250,7 +250,7 @@ private:
         if (is_new) {
             Eigen::Vector3d& vertex = soup_.vertices.emplace_back();
             for (unsigned axis = 0; axis < 3; ++axis)
-                vertex[axis] = (double(corner[axis]) - double(cells_of_map / 2)) * cell_;
+                vertex[axis] = (double(corner[axis]) - 0.5 * cells_of_map) * cell_;
         }
         return place->second;
     }
