@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <set>
+#include <random>
+#include <vector>
 
 namespace chasles::view {
 namespace {
@@ -17,9 +19,15 @@ constexpr std::size_t few = 1'000;
 constexpr std::size_t most = 20'000;
 
 struct RoundParts {
-    std::set<std::uint32_t> vertices;
-    std::set<Ids> edges;
+    std::vector<std::uint32_t> vertices;
+    std::vector<Ids> edges;
 };
+
+template <class Part>
+void keep_each_once(std::vector<Part>& parts) {
+    std::ranges::sort(parts);
+    parts.erase(std::ranges::unique(parts).begin(), parts.end());
+}
 
 RoundParts parts_of(const Polyhedron& body) {
     RoundParts parts;
@@ -27,37 +35,21 @@ RoundParts parts_of(const Polyhedron& body) {
         const auto outline = body.face(face);
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const std::uint32_t from = outline[i], to = outline[(i + 1) % outline.size()];
-            parts.vertices.insert(from);
+            parts.vertices.push_back(from);
             if (from != to)
-                parts.edges.insert({std::min(from, to), std::max(from, to)});
+                parts.edges.push_back({std::min(from, to), std::max(from, to)});
         }
     }
+    keep_each_once(parts.vertices);
+    keep_each_once(parts.edges);
     return parts;
 }
 
-/// A number that has no pattern where its index has one. Source: G. Steele, D. Lea, C. Flood, "Fast splittable
-/// pseudorandom number generators", 2014 (SplitMix64).
-std::uint64_t scrambled(std::uint64_t index) {
-    index = (index + 1) * 0x9e3779b97f4a7c15U;
-    index = (index ^ (index >> 30U)) * 0xbf58476d1ce4e5b9U;
-    index = (index ^ (index >> 27U)) * 0x94d049bb133111ebU;
-    return index ^ (index >> 31U);
-}
-
-/// At most `most` of them, always the same ones. Every n-th one would be stripes where points lie in rows.
+/// At most `most` of them, the same ones each time. Every n-th one would be stripes where points lie in rows.
 template <class Part>
-std::vector<Part> sample(const std::set<Part>& parts) {
-    const std::vector<Part> all(parts.begin(), parts.end());
-    if (all.size() <= most)
-        return all;
-    std::vector<std::size_t> order(all.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::ranges::nth_element(order, order.begin() + most, {}, scrambled);
-    order.resize(most);
+std::vector<Part> sample(const std::vector<Part>& parts) {
     std::vector<Part> chosen;
-    for (const std::size_t index : order)
-        chosen.push_back(all[index]);
+    std::ranges::sample(parts, std::back_inserter(chosen), std::ptrdiff_t(most), std::mt19937());
     return chosen;
 }
 
