@@ -55,7 +55,7 @@ struct Candidate {
     double deviation = 0; ///< of its points from their chords, over the whole segment
     double way = 0;       ///< of its points, at most, over the whole segment
     double margin = 0;
-    double small_way = 0; ///< from which on large nodes are tried
+    double longest_tried = 0; ///< way in a cell up to which large nodes are tried
 };
 
 class Culling {
@@ -302,7 +302,7 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
         const double way = pair.way * cell.duration();
         const bool is_last = way <= small_way * prepared_.extents[prepared_.moving_index(pair.task)].radius ||
                              cell.halvings == most_halvings;
-        if ((is_last || way <= pair.small_way) && are_nodes_apart(cell, pair))
+        if ((is_last || way <= pair.longest_tried) && are_nodes_apart(cell, pair))
             continue;
         if (is_last)
             add(pair.task, cell.part());
