@@ -34,7 +34,7 @@ export class Timings {
     if (frames.length < 10 || updates.length === 0) return "";
     const rate = 1000 / (frames.reduce((sum, time) => sum + time, 0) / frames.length);
     const [usual, most] = [quantile(updates, 0.5), quantile(updates, 0.99)];
-    return `${rate.toFixed(0)} frames a second · an update ${usual.toFixed(1)} ms, 99 % within ${most.toFixed(1)} ms`;
+    return `${rate.toFixed(0)} frames a second · half of the updates take up to ${usual.toFixed(1)} ms, 99 % up to ${most.toFixed(1)} ms`;
   }
 
   private keep(list: number[], value: number): void {

@@ -238,6 +238,10 @@ class Links(PlaygroundTest):
 
 
 class Appearance(PlaygroundTest):
+    def tab(self, modifiers: int = 0) -> None:
+        for kind in ["keyDown", "keyUp"]:
+            self.browser.call("Input.dispatchKeyEvent", type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9, modifiers=modifiers)
+
     def test_every_control_has_a_name_and_a_visible_focus(self) -> None:
         self.open("#robot")
         nameless = self.evaluate(
@@ -247,8 +251,7 @@ class Appearance(PlaygroundTest):
         self.assertEqual(nameless, [])
         focused = set()
         for _ in range(20):
-            self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="Tab", code="Tab", windowsVirtualKeyCode=9)
-            self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="Tab", code="Tab", windowsVirtualKeyCode=9)
+            self.tab()
             name, outline = self.evaluate(
                 "(e => [e.id || e.tagName, getComputedStyle(e.type === 'radio' ? e.nextElementSibling : e).outlineStyle])(document.activeElement)"
             )
@@ -269,6 +272,28 @@ class Appearance(PlaygroundTest):
             self.assertGreater(count(picture, is_moving_colour), 150)
         finally:
             self.browser.call("Emulation.setEmulatedMedia", features=[])
+            self.browser.resize(*SIZE)
+
+    def test_what_has_the_focus_is_in_view_in_narrow_and_low_windows(self) -> None:
+        """Also below the picture, which stays in view where there is room for it."""
+        in_view = (
+            "(e => { const {left, top, width, height} = (e.type === 'radio' ? e.nextElementSibling : e).getBoundingClientRect();"
+            "const at = document.elementFromPoint(left + width / 2, top + Math.min(height / 2, 20));"
+            "return [e.id || e.tagName, top > -1 && (at === e || e.contains(at) || at.contains(e) && at !== document.body"
+            " || e.parentElement.contains(at)), at?.id ?? ''] })(document.activeElement)"
+        )
+        try:
+            for size in [(320, 640), (640, 320), (360, 500), (800, 600)]:
+                self.browser.resize(*size)
+                self.open("#robot")
+                focused = set()
+                for modifiers in [0] * 24 + [SHIFT] * 24:
+                    self.tab(modifiers)
+                    name, is_seen, above = self.evaluate(in_view)
+                    self.assertTrue(is_seen or name == "BODY", f"{name} below {above} at {size}")
+                    focused.add(name)
+                self.assertLessEqual({"canvas", "scene", "prove", "share", "SUMMARY"}, focused)
+        finally:
             self.browser.resize(*SIZE)
 
 

@@ -10,6 +10,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import sys
 import time
 
@@ -66,6 +67,10 @@ class Frames(PlaygroundTest):
             print(f"  {len(values)} {name}s, ms: {parts}; {100 * within:.2f} % within {limit} ms")
         print(f"  ready after {ready:.0f} ms; {drags} drags")
         self.assertLess(quantile(timings[1], 0.5), 50, "an update, even on a busy machine")
+        words = self.evaluate("playground.app.hand.timings.words")
+        self.assertRegex(words, r"^\d+ frames a second · half of the updates take up to [\d.]+ ms, 99 % up to [\d.]+ ms$")
+        half, most = map(float, re.findall(r"up to ([\d.]+)", words))
+        self.assertLessEqual(half, most)
         self.check()
 
     def check(self) -> None:
