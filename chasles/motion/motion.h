@@ -99,7 +99,7 @@ public:
     static constexpr double least_max_turn = 1e-4; ///< radians; limits the pieces of a screw to some ten thousand
 
     /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. Throws
-    /// InvalidInput for a pose that cannot be used and for a max_turn below least_max_turn.
+    /// InvalidInput for a pose that cannot be used and for a max_turn outside of [least_max_turn, pi].
     static ScrewMotion between(const Pose& start, const Pose& goal, double max_turn = default_max_turn);
 
     /// The paper's motion for two moving bodies: the screw of the moving body as seen from the fixed body. All four
@@ -119,7 +119,7 @@ public:
     [[nodiscard]] Eigen::Vector3d axis_point() const;
     /// Largest turn of one piece, radians.
     [[nodiscard]] double max_turn() const;
-    /// The same screw in pieces of another size. Throws InvalidInput for a max_turn below least_max_turn.
+    /// The same screw in pieces of another size. Throws InvalidInput for a max_turn that `between` refuses.
     [[nodiscard]] ScrewMotion with_max_turn(double max_turn) const;
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]

@@ -70,6 +70,8 @@ MotionEnds ScrewPieces::ends_of(std::size_t index) const {
 ScrewTrajectory::ScrewTrajectory(const MotionEnds& ends, double max_turn) : ends_(ends), max_turn_(max_turn) {
     if (!(max_turn >= ScrewMotion::least_max_turn))
         throw InvalidInput("motion: max_turn: must be at least 1e-4 radians (0.00573 degrees)");
+    if (max_turn > std::numbers::pi)
+        throw InvalidInput("motion: max_turn: must be at most pi radians (180 degrees): one screw in one piece");
 }
 
 PathBall ScrewTrajectory::ball_around_path(const Vector3<double>& point) const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <variant>
 #include <vector>
 
@@ -181,7 +182,7 @@ inline Question question_from(Bytes& bytes) {
     const auto coordinates = Coordinates(bytes.below(4));
     const unsigned options = bytes.byte();
     const auto find = Find((options >> 2 & 7) % 3);
-    const double max_turn = (options & 64) != 0 ? 0.9 : 3.2;
+    const double max_turn = (options & 64) != 0 ? 0.9 : std::numbers::pi;
     Scene scene(bytes, coordinates);
     const Eigen::Vector3d centre = scene.point();
     const ScrewOrSweep motion = motion_from(options & 3, max_turn, centre, scene);

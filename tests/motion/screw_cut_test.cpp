@@ -78,7 +78,7 @@ TEST(ScrewCut, HalfTurnIsCutWhateverIsAllowed) {
     for (const Eigen::Quaterniond& turn : {Eigen::Quaterniond(0, 0, 0, 1), Eigen::Quaterniond(1e-12, 0.6, 0.8, 0)}) {
         const auto half_turn = ScrewMotion::between(Pose(), Pose({1, 2, 3}, turn));
         EXPECT_NEAR(half_turn.angle(), pi, 1e-11);
-        const auto pieces = half_turn.with_max_turn(10).pieces();
+        const auto pieces = half_turn.with_max_turn(pi).pieces();
         ASSERT_EQ(pieces.size(), 2u);
         expect_joined(half_turn, pieces);
         EXPECT_NEAR(pieces[0].angle(), pi / 2, 1e-11);
