@@ -29,7 +29,7 @@ std::string_view extension_of(std::string_view name) {
     return dot == std::string_view::npos ? std::string_view() : name.substr(dot);
 }
 
-void refuse_step(std::string_view bytes, std::string_view extension) {
+void refuse_step(std::string_view bytes, std::string_view extension, const MeshFormats& formats) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     std::string_view start = bytes.substr(0, 10'000); // the header of a STEP file is longer only in odd cases
     start.remove_prefix(start.starts_with(mark) ? mark.size() : 0);
@@ -37,22 +37,23 @@ void refuse_step(std::string_view bytes, std::string_view extension) {
         const std::string_view schema = start.substr(std::min(start.find("FILE_SCHEMA"), start.size()));
         const bool is_ifc = schema.substr(0, schema.find(';')).find("IFC") != std::string_view::npos;
         throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
-                           ", which holds curved surfaces, not polygons; export it as glTF, 3MF, STL or OBJ" +
+                           ", which holds curved surfaces, not polygons; export it as " +
+                           std::string(formats.for_export) +
                            (is_ifc ? "" : ", or tessellate it (in Python: build123d or CadQuery, tessellate)"));
     }
     if (extension == ".step" || extension == ".stp")
-        throw InvalidInput("is no STEP file, though its extension says so; meshes have .obj, .off, .ply, .stl, .gltf, "
-                           ".glb, .dae or .3mf");
+        throw InvalidInput("is no STEP file, though its extension says so; " + std::string(formats.extensions) +
+                           " are read");
 }
 
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
     if (is_lfs_pointer(bytes))
         throw InvalidInput(lfs_way_out);
-    refuse_other_content(bytes, lower_case(extension));
+    refuse_other_content(bytes, lower_case(extension), formats_of_bytes);
     refuse_other_kind(lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
-        throw InvalidInput("the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
+        refuse_extension(extension, formats_of_bytes);
     if (bytes.empty())
         throw InvalidInput("is empty");
     return with_faces(reader(bytes));
@@ -107,14 +108,21 @@ void refuse_other_kind(std::string_view extension) {
         throw InvalidInput("is no mesh; `chasles robot ROBOT.urdf --path FILE` reads a JointTrajectory of ROS as YAML");
 }
 
-void refuse_other_content(std::string_view bytes, std::string_view extension) {
+void refuse_extension(std::string_view extension, const MeshFormats& formats) {
+    throw InvalidInput("no reader for the extension " + in_quotes(extension) + "; " + std::string(formats.extensions) +
+                       " are read: export the mesh as " + std::string(formats.for_export));
+}
+
+void refuse_other_content(std::string_view bytes, std::string_view extension, const MeshFormats& formats) {
     if (bytes.starts_with("\x1F\x8B"))
         throw InvalidInput("is compressed by gzip; unpack it first");
     if (bytes.starts_with("PK\x03\x04") && extension != ".3mf")
-        throw InvalidInput("is a ZIP archive; unpack it first, or name it .3mf if it is one");
+        throw InvalidInput(std::string("is a ZIP archive; unpack it first") +
+                           (formats.has(".3mf") ? ", or name it .3mf if it is one" : ""));
     if (bytes.starts_with("glTF") && extension != ".glb" && extension != ".gltf")
-        throw InvalidInput("is a binary glTF file; name it .glb");
-    refuse_step(bytes, extension);
+        throw InvalidInput("is a binary glTF file; " +
+                           (formats.has(".glb") ? "name it .glb" : "export it as " + std::string(formats.for_export)));
+    refuse_step(bytes, extension, formats);
 }
 
 PolygonSoup with_faces(PolygonSoup soup) {

@@ -20,9 +20,27 @@ Reader reader_for(std::string_view extension);
 /// reads them.
 void refuse_other_kind(std::string_view extension);
 
+/// What an entry point reads, in words for messages.
+struct MeshFormats {
+    std::string_view extensions; ///< all of them, for a sentence
+    std::string_view for_export; ///< those that other programs write
+
+    [[nodiscard]] bool has(std::string_view extension) const {
+        return extensions.find(extension) != std::string_view::npos;
+    }
+};
+inline constexpr MeshFormats formats_of_bytes{".obj, .off, .ply, .stl, .bt and .ot", "OBJ, OFF, PLY or STL"};
+inline constexpr MeshFormats formats_of_files{".obj, .off, .ply, .stl, .gltf, .glb, .dae, .3mf, .bt and .ot",
+                                              "glTF, 3MF, STL or OBJ"};
+
+/// Throws InvalidInput for an extension without a reader.
+[[noreturn]] void refuse_extension(std::string_view extension, const MeshFormats& formats);
+
 /// Throws InvalidInput for files that their first bytes say to be of another format than their extension (in small
-/// letters): archives, binary glTF, STEP and IFC; also for the extensions of STEP.
-void refuse_other_content(std::string_view bytes, std::string_view extension);
+/// letters): archives, binary glTF, STEP and IFC; also for the extensions of STEP. The way out leads to a format of
+/// `formats`.
+void refuse_other_content(std::string_view bytes, std::string_view extension,
+                          const MeshFormats& formats = formats_of_files);
 
 /// The same mesh. Throws InvalidInput if it has no face, and says what reads points.
 PolygonSoup with_faces(PolygonSoup soup);

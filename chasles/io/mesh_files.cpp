@@ -31,9 +31,7 @@ std::vector<MeshPart> read_parts(const std::filesystem::path& file, std::string_
     else if (extension == ".3mf")
         parts = read_3mf(bytes);
     else
-        throw InvalidInput("no reader for the extension " + in_quotes(extension) +
-                           "; .obj, .off, .ply, .stl, .gltf, .glb, .dae, .3mf, .bt and .ot are read: export the mesh " +
-                           "as glTF, 3MF, STL or OBJ");
+        refuse_extension(extension, formats_of_files);
     if (parts.empty())
         throw InvalidInput("has no face; a mesh needs at least one");
     return parts;

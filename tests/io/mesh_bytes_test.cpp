@@ -25,8 +25,9 @@ TEST(MeshBytes, RefusalsNameTheFileTheLineAndTheReason) {
     const auto refusal = [](std::string_view bytes, const std::string& name) {
         return message_of([&] { (void)io::read_polyhedron(bytes, name); });
     };
-    EXPECT_EQ(refusal(tetrahedron, "a.png"), "a.png: the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
-    EXPECT_EQ(refusal(tetrahedron, "obj"), "obj: the extension is none of .obj, .off, .ply, .stl, .bt and .ot");
+    EXPECT_EQ(refusal(tetrahedron, "a.png"), "a.png: no reader for the extension '.png'; .obj, .off, .ply, .stl, .bt "
+                                             "and .ot are read: export the mesh as OBJ, OFF, PLY or STL");
+    EXPECT_TRUE(refusal(tetrahedron, "obj").starts_with("obj: no reader for the extension ''; .obj, "));
     EXPECT_EQ(refusal("", "a.obj"), "a.obj: is empty");
     EXPECT_TRUE(refusal("version https://git-lfs.github.com/spec/v1\n", "a.stl").starts_with("a.stl: is a Git LFS p"));
     EXPECT_TRUE(refusal("v 0 0 0\n", "a.obj").starts_with("a.obj: has no face; a mesh needs at least one"));
@@ -34,6 +35,30 @@ TEST(MeshBytes, RefusalsNameTheFileTheLineAndTheReason) {
     const std::string bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"; // refused by the mesh layer
     EXPECT_TRUE(refusal(bent, "a.obj").starts_with("a.obj: line 5: face 0: "));
     EXPECT_EQ(io::read_polyhedron(bent, "a.obj", {.triangulate = true}).face_count(), 2U);
+}
+
+TEST(MeshBytes, EveryWayOutLeadsToAFormatThatIsReadHere) {
+    const std::string step = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA((\"";
+    for (const std::string& bytes : {step + "AUTOMOTIVE_DESIGN\"));", step + "IFC4\"));", std::string("glTF\x02"),
+                                     std::string("PK\x03\x04"), std::string(tetrahedron)})
+        for (const char* const name : {"a.step", "a.ifc", "a.stl", "a.glb", "a.gltf", "a.dae", "a.3mf", "a.fbx"}) {
+            const std::string message = message_of([&] { (void)io::read_polyhedron(bytes, name); });
+            const std::string way_out = message.substr(std::min(message.find("; "), message.size()));
+            for (const char* const format : {".gltf", ".glb", ".dae", ".3mf", "glTF", "3MF"})
+                EXPECT_EQ(way_out.find(format), std::string::npos) << message;
+        }
+    const auto refusal = [](const std::string& bytes, const char* name) {
+        return message_of([&] { (void)io::read_polyhedron(bytes, name); });
+    };
+    EXPECT_EQ(
+        refusal(step + "AUTOMOTIVE_DESIGN\"));", "a.step"),
+        "a.step: is a STEP file, which holds curved surfaces, not polygons; export it as OBJ, OFF, PLY or STL, or "
+        "tessellate it (in Python: build123d or CadQuery, tessellate)");
+    EXPECT_EQ(refusal("v 0 0 0\n", "a.step"),
+              "a.step: is no STEP file, though its extension says so; .obj, .off, .ply, "
+              ".stl, .bt and .ot are read");
+    EXPECT_EQ(refusal("glTF\x02", "a.stl"), "a.stl: is a binary glTF file; export it as OBJ, OFF, PLY or STL");
+    EXPECT_EQ(refusal("PK\x03\x04", "a.stl"), "a.stl: is a ZIP archive; unpack it first");
 }
 
 } // namespace
