@@ -57,18 +57,21 @@ Json json_of(const Work& work) {
             {"exact", work.exact}};
 }
 
-/// What bodies have in common at the start beside contacts.
+/// The contacts, what bodies have in common at the start beside them, and whether their list is cut.
 template <typename Found>
-void add_overlap(Json& answer, const Found& found) {
+void add_contacts(Json& answer, const Found& found) {
+    answer["contacts"] = json_of(found.contacts);
     if (found.overlap)
         answer["overlap"] = overlap_json(*found.overlap);
     if (found.inside)
         add_inside(answer, *found.inside);
+    if (found.contacts_cut)
+        answer["contacts_cut"] = true;
 }
 
-/// The keys from time to inside, which both kinds of answers have.
+/// The keys from time to contacts_cut, which both kinds of answers have.
 template <typename Found>
-void add_contacts(Json& answer, const Found& found, MotionKind kind) {
+void add_found(Json& answer, const Found& found, MotionKind kind) {
     answer["time"] = found.time.lower;
     answer["time_upper"] = found.time.upper;
     if (has_tau(kind)) {
@@ -77,8 +80,7 @@ void add_contacts(Json& answer, const Found& found, MotionKind kind) {
     }
     answer["certain"] = found.certain;
     answer["pose"] = pose_json(found.pose);
-    answer["contacts"] = json_of(found.contacts);
-    add_overlap(answer, found);
+    add_contacts(answer, found);
 }
 
 Json reason_json(const UntestedPairs& untested, UntestedReason reason) {
@@ -119,9 +121,8 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
             Json json{{"time", event.contact.time.lower},
                       {"time_upper", event.contact.time.upper},
                       {"certain", event.contact.certain},
-                      {"pair", pair(event)},
-                      {"contacts", json_of(event.contact.contacts)}};
-            add_overlap(json, event.contact);
+                      {"pair", pair(event)}};
+            add_contacts(json, event.contact);
             answer["events"].push_back(std::move(json));
         }
         answer["untested"] = untested_json(found.untested);
@@ -133,9 +134,7 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
     if (!found.contacts.empty()) {
         const SceneContact& first = found.contacts.front();
         answer["pair"] = pair(first);
-        add_contacts(answer, first.contact, MotionKind::velocity); // which has no tau
-        if (first.contact.contacts_cut)
-            answer["contacts_cut"] = true;
+        add_found(answer, first.contact, MotionKind::velocity); // which has no tau
         for (std::size_t i = 1; i < found.contacts.size(); ++i)
             answer["simultaneous"].push_back(pair(found.contacts[i]));
     }
@@ -161,10 +160,7 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bo
         answer["time_upper"] = time.upper;
         answer["certain"] = found.certain;
         answer["pair"] = Json{found.pair->first, found.pair->second};
-        answer["contacts"] = json_of(found.contact.contacts);
-        add_overlap(answer, found.contact);
-        if (found.contact.contacts_cut)
-            answer["contacts_cut"] = true;
+        add_contacts(answer, found.contact);
         if (!found.contact.held.empty())
             answer["held"] = json_of(found.contact.held);
     }
@@ -188,10 +184,7 @@ Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& fou
         answer["certain"] = found.certain;
         answer["pair"] = Json{found.pair->first, found.pair->second};
         answer["segment"] = found.segment;
-        answer["contacts"] = json_of(found.nearest.contacts);
-        add_overlap(answer, found.nearest);
-        if (found.nearest.contacts_cut)
-            answer["contacts_cut"] = true;
+        add_contacts(answer, found.nearest);
         answer["configuration"] = configuration_json(robot, found.configuration);
     }
     answer["untested"] = untested_json(*found.untested);
@@ -250,8 +243,8 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     Json answer;
     answer["verdict"] = name_of(found.verdict);
     if (is_contact(found.verdict))
-        add_contacts(answer, found, motion.kind);
-    if (found.contacts_cut)
+        add_found(answer, found, motion.kind);
+    else if (found.contacts_cut) // the list of held contacts
         answer["contacts_cut"] = true;
     if (!found.held.empty())
         answer["held"] = json_of(found.held);
@@ -265,9 +258,7 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion) {
     Json answer;
     answer["distance"] = found.distance.lower;
     answer["distance_upper"] = found.distance.upper;
-    add_contacts(answer, found, motion.kind);
-    if (found.contacts_cut)
-        answer["contacts_cut"] = true;
+    add_found(answer, found, motion.kind);
     answer["motion"] = json_of(motion);
     answer["work"] = json_of(found.work);
     return answer;

@@ -21,13 +21,13 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
 /// The answer of `scene`. For the first contact: the keys of `check` without tau and motion, and `pair`, the names of
 /// the moving and the fixed body; `simultaneous` lists further pairs that may touch at that time. For `all`: `events`,
-/// each with time, time_upper, certain, pair and contacts, and perhaps overlap or inside, and `work`. Both have
-/// `untested`.
+/// each with time, time_upper, certain, pair and contacts, and perhaps overlap, inside and contacts_cut, and `work`.
+/// Both have `untested`.
 Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, bool all);
 
 /// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,
-/// certain, pair and contacts, too, and `held` if it is not empty. Times count within the segment, in [0, 1], or in
-/// stamps. Robots' answers have `untested`.
+/// certain, pair and contacts, too, contacts_cut if true, and `held` if it is not empty. Times count within the
+/// segment, in [0, 1], or in stamps. Robots' answers have `untested`.
 Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& answer, bool in_stamps);
 /// The answer of `robot --clearance`: distance, distance_upper, time, time_upper, certain, pair, segment, contacts,
 /// configuration and work. Without a pair: distance and distance_upper, which are null, and work.

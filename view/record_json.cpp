@@ -55,6 +55,8 @@ Json event_json(const RecordedContact& event) {
         json["overlap"] = overlap_json(*event.overlap);
     if (event.inside)
         add_inside(json, *event.inside);
+    if (event.contacts_cut)
+        json["contacts_cut"] = true;
     return json;
 }
 

@@ -161,6 +161,7 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
                                    .moving = index_of(record, answer.pair->first, answer.pair->first_shape),
                                    .fixed = index_of(record, answer.pair->second, answer.pair->second_shape),
                                    .contacts = answer.contact.contacts,
+                                   .contacts_cut = answer.contact.contacts_cut,
                                    .overlap = answer.contact.overlap,
                                    .inside = answer.contact.inside});
     return record;

@@ -84,6 +84,7 @@ RecordedContact recorded_contact(const SceneContact& event) {
             .moving = event.moving,
             .fixed = event.fixed,
             .contacts = found.contacts,
+            .contacts_cut = found.contacts_cut,
             .overlap = found.overlap,
             .inside = found.inside};
 }

@@ -26,7 +26,8 @@ struct RecordedContact {
     std::size_t fixed = 0;  ///< likewise
     std::string kind = {};  ///< any text, for example "impact"; may be empty
     std::vector<Contact> contacts = {};
-    bool has_features = true; ///< whether `contacts` have a kind, features and an approach speed
+    bool contacts_cut = false; ///< there are more contacts than the list has
+    bool has_features = true;  ///< whether `contacts` have a kind, features and an approach speed
     std::optional<Overlap> overlap = {};
     std::optional<Inside> inside = {};
 };

@@ -126,7 +126,9 @@ function addFound(answer, reader, hasTau) {
 /** Adds an answer without its motion. Returns its work. */
 function addContactAnswer(answer, reader, hasTau) {
   answer.verdict = verdicts[reader.number()];
-  const counters = addFound(answer.verdict === "clear" ? {} : answer, reader, hasTau);
+  const found = answer.verdict === "clear" ? {} : answer;
+  const counters = addFound(found, reader, hasTau);
+  if (found.contacts_cut) answer.contacts_cut = true; // of a clear answer: the list of held contacts
   const held = reader.list(contact);
   if (held.length > 0) answer.held = held;
   answer.clear_until = reader.number();
@@ -192,14 +194,14 @@ export function sceneContact(reader, names) {
 }
 
 /** What an event may have beside contacts. */
-const atStart = ["overlap", "inside", "inside_vertex", "inside_point"];
+const besideContacts = ["overlap", "inside", "inside_vertex", "inside_point", "contacts_cut"];
 
 export function sceneEvents(reader, names) {
   reader.some(2); // the verdict and the time of the first contact, which the events say too
   const events = sceneContacts(reader, names).map(({ pair, answer }) => {
     const { time, time_upper, certain, contacts } = answer;
     const event = { time, time_upper, certain, pair, contacts };
-    for (const key of atStart) if (key in answer) event[key] = answer[key];
+    for (const key of besideContacts) if (key in answer) event[key] = answer[key];
     return event;
   });
   return { events, work: work(reader), untested: untested(reader, names) };

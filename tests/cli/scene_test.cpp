@@ -78,6 +78,14 @@ TEST_F(SceneCommand, AnswersAsTheLibrary) {
         EXPECT_EQ(events[i]["time"], all.contacts[i].contact.time.lower);
 }
 
+TEST_F(SceneCommand, AListThatIsCutSaysSo) {
+    EXPECT_FALSE(json("--all --all-contacts")["events"][0].contains("contacts_cut"));
+    write("scene.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"},
+        {"name": "b", "mesh": "cube.obj", "pose": [0.5, 0.25, 0.25], "goal": [9, 0, 0]}]})");
+    EXPECT_EQ(json("--all-contacts")["contacts_cut"], true);
+    EXPECT_EQ(json("--all --all-contacts")["events"][0]["contacts_cut"], true);
+}
+
 TEST_F(SceneCommand, TellsItForPeople) {
     const tests::Finished first = run("scene scene.json");
     EXPECT_EQ(first.status, 1);

@@ -52,7 +52,15 @@ TEST_F(RecordOfScene, HoldsTheContactsToTheLastDigit) {
         EXPECT_EQ(event["contacts"][0]["normal"][0], contact.contact.contacts[0].normal.x());
         EXPECT_TRUE(event["contacts"][0].contains("moving_feature"));
         EXPECT_FALSE(event.contains("kind"));
+        EXPECT_FALSE(event.contains("contacts_cut"));
     }
+}
+
+TEST_F(RecordOfScene, SaysThatAListOfContactsIsCut) {
+    scene.add({"in the left", box, Motion::velocity(test::shifted(-3.7, 0.1, 0.2), test::shifted(0, 0, 9))});
+    const SceneAnswer found = scene.first_contact({.options = {.find = Find::first_with_all_contacts}});
+    ASSERT_TRUE(found.contacts.at(0).contact.contacts_cut);
+    EXPECT_EQ(json(found, view::RecordSource::first_contact)["events"][0]["contacts_cut"], true);
 }
 
 TEST_F(RecordOfScene, HoldsTheLimitOfTheTime) {

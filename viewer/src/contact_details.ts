@@ -1,6 +1,6 @@
 // The contacts of an answer, one entry each, with all numbers.
 import { element, more, table } from "./elements";
-import type { Feature, Nested, Overlap, Point, Vector } from "./scene";
+import type { Feature, Marked, Nested, Overlap, Point, Vector } from "./scene";
 
 const mostListed = 100;
 
@@ -17,6 +17,11 @@ function pairName({ moving_feature, fixed_feature }: Point, index: number): stri
 
 export function overlapName({ moving_feature, fixed_feature }: Overlap): string {
   return `${featureName(moving_feature)} of the moving body, ${featureName(fixed_feature)} of the fixed one`;
+}
+
+/** A line if a list of contacts is cut. Where bodies overlap, the overlap says more. */
+export function cutNote({ contacts_cut, overlap }: Marked): HTMLElement[] {
+  return contacts_cut && !overlap ? [more("The list is cut: there are more contacts.")] : [];
 }
 
 /** The heading and the rows about a body that is inside of the other one; none if there is no such body. */

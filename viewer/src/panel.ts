@@ -1,7 +1,7 @@
 // The answer in words and numbers. Numbers have all their digits: JavaScript prints the shortest text that reads back to
 // the same double.
-import { contactList, insideSection, overlapName } from "./contact_details";
-import { byId, element, more, table } from "./elements";
+import { contactList, cutNote, insideSection, overlapName } from "./contact_details";
+import { byId, element, table } from "./elements";
 import { type Answer, drawnText, type Scene, type Vector } from "./scene";
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
@@ -82,7 +82,7 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
-  if (answer.contacts_cut && !answer.overlap) numbers.append(more("The list is cut: there are more contacts."));
+  numbers.append(...cutNote(answer));
   if (answer.held?.length) {
     section("Held at the start", ...contactList(answer.held, () => undefined));
     section("Safe", table([["clear until", answer.clear_until!]]));

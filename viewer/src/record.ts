@@ -15,6 +15,7 @@ export interface RecordedContact extends Nested {
   pair: [number, number]; // the moving and the fixed body, as indices
   kind?: string;
   contacts: Point[];
+  contacts_cut?: boolean; // there are more
   overlap?: Overlap;
 }
 

@@ -1,5 +1,5 @@
 // The words and numbers of a page of many bodies.
-import { contactList, insideSection, overlapName } from "./contact_details";
+import { contactList, cutNote, insideSection, overlapName } from "./contact_details";
 import { byId, element, table } from "./elements";
 import { pairText, type RecordedContact, type SceneRecord, type Untested } from "./record";
 import { drawnText } from "./scene";
@@ -93,6 +93,7 @@ export function showEvent(record: SceneRecord, event: RecordedContact | undefine
   section(pairText(record, event), table([...timeRows(record, event), ...kind]));
   const { contacts, overlap } = event;
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
+  numbers.append(...cutNote(event));
   if (overlap) section("Overlap", element("div", overlapName(overlap)), table([["point", overlap.point]]));
   for (const parts of insideSection(event)) section(...parts);
 }

@@ -101,6 +101,7 @@ export function stopOf(answer: Answer): number {
 /** The contacts of an answer or of one pair of bodies. */
 export interface Marked extends Nested {
   contacts?: Point[];
+  contacts_cut?: boolean; // there are more than `contacts` (or `held`) lists
   overlap?: Overlap;
 }
 
