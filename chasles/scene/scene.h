@@ -30,7 +30,7 @@ struct SceneBody {
     Polyhedron shape;
     /// In the world. Any motion but the paper's screw and the sweep, which are motions as seen from another body.
     Motion motion = Motion::at_rest(Pose());
-    std::string group = {}; ///< for Scene::ignore_groups
+    std::string group = {}; ///< for rules of groups, which may be set before a group has bodies
 };
 
 /// How to answer a question about a scene.

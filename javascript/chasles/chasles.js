@@ -80,7 +80,7 @@ export class Chasles {
     checkOptions(options, ["tolerance", "timeTolerance", "find", ...motionOptions, ...fixedOptions]);
     const { tolerance, timeTolerance } = options;
     const asked = this.#bodies(moving, fixed);
-    asked.push(number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12), find(options.find));
+    asked.push(number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12), find(options.find, true));
     this.#border.giveNumbers(addMotion(asked, start, goal, options));
     return leastDistance(this.#border.read("least_distance"));
   }

@@ -6,6 +6,7 @@ import { fromArrays } from "./polyhedron.js";
 import { poseWithRest, separated, updateWorld, worldRows } from "./poses.js";
 
 const rounding = 1e-12;
+const largest = 1e30; // of a length in the library
 
 function refuse(what) {
   throw new InvalidInput(what);
@@ -33,6 +34,16 @@ function positions(geometry) {
 
 const cornerCount = ({ index, attributes }) => (index ?? attributes.position).count;
 
+/** Where no triangle is drawn: why. */
+function refuseNothing(geometry, groups) {
+  const corners = cornerCount(geometry);
+  if (corners < 3) refuse(`geometry: has ${corners} corners, and a triangle needs 3`);
+  if (groups?.length === 0)
+    refuse("geometry.groups: none has a material of the mesh's list, so nothing is drawn: addGroup(start, count, materialIndex), or one material in place of the list");
+  const { start = 0, count = Infinity } = geometry.drawRange ?? {};
+  refuse(`geometry: none of its ${corners} corners begins a triangle within its drawRange (start ${start}, count ${count})${groups ? " and its groups" : ""}`);
+}
+
 /**
  * The first corner of each triangle that WebGLRenderer draws, by its id there (`faceIndex`); holes for others. A draw range, and a group
  * within it, begin at any corner, and corners at their end that are no whole triangle are not drawn. Without groups all is drawn.
@@ -55,9 +66,11 @@ function drawnTriangles(geometry, groups = [{ start: 0, count: Infinity }]) {
  * The corners of all triangles up to the last drawn one: a face gets the id that its triangle has in three.js. A triangle that is not
  * drawn becomes a corner of a drawn one: a face that adds nothing to the surface.
  */
-function cornersOf({ index }, triangles) {
+function cornersOf(geometry, triangles, groups) {
+  const { index } = geometry;
   const corner = (k) => (index ? index.getX(k) : k);
   const first = triangles.find((start) => start !== undefined);
+  if (first === undefined) refuseNothing(geometry, groups);
   const corners = [];
   for (let id = 0; id < triangles.length; ++id)
     for (let k = 0; k < 3; ++k) corners.push(corner(triangles[id] === undefined ? first : triangles[id] + k));
@@ -145,6 +158,13 @@ function sevenNumbers(border, pose) {
   return Array.from(border.ask("pose_at"));
 }
 
+/** A matrix in the world whose numbers a pose can have. */
+function finiteRows(object) {
+  const rows = worldRows(object);
+  if (!rows.every((x) => Math.abs(x) <= largest)) refuse(`object: its matrix in the world has a number that is NaN or beyond 1e30`);
+  return rows;
+}
+
 /** `{ body, pose }`: `pose` is where the object is whenever it is read. The object must keep the scale that is in the body. */
 export function fromObject3D(border, object, options) {
   refuseOtherThanMesh(object);
@@ -154,14 +174,14 @@ export function fromObject3D(border, object, options) {
     refuse("object: its matrix in the world has no inverse: a scale is 0, or a number is missing");
   const vertices = deformed(object, positions(geometry));
   const groups = Array.isArray(material) ? (geometry.groups ?? []).filter(({ materialIndex }) => material[materialIndex ?? 0]) : undefined;
-  const corners = cornersOf(geometry, drawnTriangles(geometry, groups));
+  const corners = cornersOf(geometry, drawnTriangles(geometry, groups), groups);
   const rigid = isIdentity(rest);
   if (!rigid) baked(vertices, rest);
   const body = fromArrays(border, vertices, rest[8] < 0 ? turnedOver(corners) : corners, options);
   return {
     body,
     get pose() {
-      const rows = poseWithRest(worldRows(object), rest);
+      const rows = poseWithRest(finiteRows(object), rest);
       if (rows) return sevenNumbers(border, rows);
       return refuse("object: its scale, shear or mirroring has changed since its body was made: make a new body by fromObject3D(object)");
     },

@@ -127,6 +127,8 @@ export interface ClearAnswer {
   verdict: "clear";
   /** With `hold`: the contacts at time 0. */
   held?: Contact[];
+  /** There are more held contacts than the list has. */
+  contacts_cut?: true;
   clear_until: number;
   motion: MotionNumbers;
   work: Work;
@@ -158,7 +160,7 @@ export interface MotionOptions {
   motion?: "screw" | "sweep" | "velocity" | "twist" | undefined;
   /** The body point that a sweep or a constant velocity carries along a line; the body's origin by default. */
   centre?: Numbers | undefined;
-  /** Largest turn of one piece of a screw, radians; 10 degrees by default. */
+  /** Largest turn of one piece of a screw, radians; 10 degrees by default, and at most `Math.PI`: one piece. */
   maxTurn?: number | undefined;
 }
 
@@ -253,7 +255,10 @@ export declare class Polyhedron {
   readonly sourceFaces: Uint32Array;
 }
 
-/** How a body of a scene moves: from a pose to a goal, or along several poses. Without a goal it stands still. */
+/**
+ * How a body of a scene moves: from a pose to a goal, or along several poses. With a pose alone it stands still, and takes neither
+ * `motion` nor `centre`.
+ */
 export interface BodyMotion {
   pose?: Pose | undefined;
   goal?: Pose | undefined;
@@ -317,7 +322,7 @@ export interface SceneEvents {
   /** `contacts` may be empty for a pair that overlaps, or of which one body is inside of the other one, at time 0. */
   events: ({ pair: [string, string] } & Pick<
     ContactParts,
-    "time" | "time_upper" | "certain" | "contacts" | "overlap" | "inside" | "inside_vertex" | "inside_point"
+    "time" | "time_upper" | "certain" | "contacts" | "contacts_cut" | "overlap" | "inside" | "inside_vertex" | "inside_point"
   >)[];
   work: Work;
   untested: Untested;
@@ -338,10 +343,14 @@ export declare class Scene {
   /** Where a body is at a time in [0, 1]. */
   poseAt(name: string, time: number): PoseNumbers;
   ignore(a: string, b: string): void;
+  /** The groups of this and other rules may get their bodies later: a group without a body is no error. The same group twice: within it. */
   ignoreGroups(a: string, b: string): void;
   setMargin(a: string, b: string, margin: number): void;
   setGroupMargin(a: string, b: string, margin: number): void;
-  /** The distance that two bodies hold if they start within their margin, in place of `hold` of the question. */
+  /**
+   * The distance that two bodies hold if they start within their margin, in place of `hold` of the question. It counts in questions
+   * where it is less than the margin of the two bodies.
+   */
   setHold(a: string, b: string, hold: number): void;
   setGroupHold(a: string, b: string, hold: number): void;
   /** The earliest contact of all pairs. */
@@ -381,9 +390,9 @@ export interface MassProperties {
 export interface DragLock {
   /** To turn about a line; to slide along a direction; both; to slide in a plane and to turn about its normal. */
   kind: "free" | "hinge" | "slider" | "cylinder" | "plane";
-  /** Of the line, or the normal of the plane; 0 0 1 by default. */
+  /** Of the line, or the normal of the plane; 0 0 1 by default. Refused for "free". */
   direction?: Numbers | undefined;
-  /** On the line of a hinge or a cylinder; 0 0 0 by default. */
+  /** On the line of a hinge or a cylinder; 0 0 0 by default. Refused for the other kinds. */
   point?: Numbers | undefined;
 }
 
@@ -412,7 +421,7 @@ export interface DragStep {
   blocking: string[];
   /** With the state "touching": the bodies that are nearer than a millionth of the margin, or overlap. */
   touching: string[];
-  /** The way, in screws that are proven clear until a time. */
+  /** The way, in screws of the default `maxTurn`, each proven clear until a time: `poseAt(start, goal, time)` is on it. */
   pieces: { start: PoseNumbers; goal: PoseNumbers; until: number; clearance: number }[];
   intrusions: { body: string; time: number }[];
   work: Work;

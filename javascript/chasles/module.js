@@ -1,7 +1,7 @@
 // The WebAssembly module of whatever `load` is given. A refusal says where the module was looked for, and the way out.
 import { InvalidInput } from "./errors.js";
 import { builtin, isNode } from "./node.js";
-import { isArrayBuffer } from "./values.js";
+import { asBytes, isArrayBuffer } from "./values.js";
 
 const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
 const wayOut = isNode
@@ -35,7 +35,7 @@ function addressOf(given) {
 const isModule = (bytes) => [0, 97, 115, 109].every((byte, i) => bytes[i] === byte); // "\0asm"
 
 function compileBytes(given, where) {
-  const bytes = ArrayBuffer.isView(given) ? new Uint8Array(given.buffer, given.byteOffset, given.byteLength) : new Uint8Array(given);
+  const bytes = asBytes(given, "wasm");
   return isModule(bytes) ? WebAssembly.compile(bytes) : refuse(`${where} no WebAssembly module`);
 }
 

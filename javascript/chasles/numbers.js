@@ -23,13 +23,14 @@ function addOptional(numbers, value, add, name) {
 
 const addNumber = (numbers, value, name) => numbers.push(number(value, name));
 
-function oneOf(names, value, name) {
+/** The place of a name in a list. `taken` are those that the question takes: a message names no others. */
+function oneOf(names, value, name, taken = names) {
   const index = names.indexOf(value);
-  if (index < 0) throw new InvalidInput(`${name}: ${shown(value)}: must be ${quoted(names)}`);
+  if (index < 0) throw new InvalidInput(`${name}: ${shown(value)}: must be ${listed(taken, "or")}`);
   return index;
 }
 
-const quoted = (names) => `${names.slice(0, -1).map((n) => `'${n}'`).join(", ")} or '${names.at(-1)}'`;
+const listed = (names, last) => `${names.slice(0, -1).map((n) => `'${n}'`).join(", ")} ${last} '${names.at(-1)}'`;
 
 /** How a body goes from one pose to the next. */
 export function addRule(numbers, { motion, centre, maxTurn }) {
@@ -38,15 +39,16 @@ export function addRule(numbers, { motion, centre, maxTurn }) {
   return addOptional(numbers, centre, addCounted, "centre");
 }
 
-export function find(value = "first") {
-  return oneOf(finds, value, "find");
+/** A question that lists everything refuses "any" in the words of the library. */
+export function find(value = "first", listsAll = false) {
+  return oneOf(finds, value, "find", listsAll ? finds.filter((name) => name !== "any") : finds);
 }
 
 /** Margin, hold, tolerance and what to find. */
-export function addQuery(numbers, options) {
+export function addQuery(numbers, options, listsAll = false) {
   numbers.push(number(options.margin, "margin", 0));
   addOptional(numbers, options.hold, addNumber, "hold");
-  numbers.push(number(options.timeTolerance, "timeTolerance", 1e-12), find(options.find));
+  numbers.push(number(options.timeTolerance, "timeTolerance", 1e-12), find(options.find, listsAll));
   return numbers;
 }
 
@@ -74,40 +76,36 @@ export function checkContactOptions(options) {
 }
 
 const worldForms = { poses: 0, track: 1, spline: 2, b_spline: 3 };
+const evenKinds = ["velocity", "twist"];
+const splineKinds = ["spline", "b_spline"];
 
 /** How a body of a scene goes from pose to pose. */
-export function addWorldRule(numbers, kind, centre) {
-  if (kind === "screw" || kind === "sweep")
-    throw new InvalidInput(
-      `motion: ${kind} is the motion of one body as seen from another one; a scene takes velocity and twist`,
-    );
-  return addRule(numbers, { motion: kind, centre });
+export function addWorldRule(numbers, { motion = "velocity", centre }, taken = evenKinds) {
+  if (motion === "screw" || motion === "sweep")
+    throw new InvalidInput(`motion: ${motion} is the motion of one body as seen from another one; a scene takes ${listed(taken, "and")}`);
+  oneOf(taken, motion, "motion");
+  if (centre !== undefined && motion !== "velocity") throw new InvalidInput(`centre: is for the motion velocity, but the motion is a ${motion}`);
+  return addRule(numbers, { motion: splineKinds.includes(motion) ? "velocity" : motion, centre });
 }
 
 /** The motion of a body in a scene. `place` is where it starts if the options do not say so. */
 export function addWorldMotion(numbers, options, place) {
-  const kind = options.motion ?? "velocity";
-  if (kind === "spline" || kind === "b_spline") return addSpline(numbers, kind, options);
-  addWorldRule(numbers, kind, options.centre);
-  if (options.poses !== undefined) {
-    numbers.push(worldForms.track);
-    addPlaces(numbers, options);
-    return addTimes(numbers, options);
-  }
+  addWorldRule(numbers, options, [...evenKinds, ...splineKinds]);
+  if (options.poses !== undefined || splineKinds.includes(options.motion)) return addTrack(numbers, options);
   if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
   const pose = options.pose ?? place;
   if (pose === undefined) throw new InvalidInput("pose: is missing, and a body that moves anew keeps no place: scene.poseAt(name, 0) gives where it started");
+  for (const name of ["motion", "centre"])
+    if (options[name] !== undefined && options.goal === undefined) throw new InvalidInput(`${name}: is for a body that moves; without a goal or poses it stands still`);
   numbers.push(worldForms.poses);
   addPose(numbers, pose, "pose");
   return addOptional(numbers, options.goal, addPose, "goal");
 }
 
-function addSpline(numbers, kind, options) {
-  if (options.centre !== undefined) throw new InvalidInput(`centre: is for the motion velocity, but the motion is a ${kind}`);
-  addWorldRule(numbers, "velocity");
-  numbers.push(worldForms[kind]);
+function addTrack(numbers, options) {
+  numbers.push(worldForms[options.motion] ?? worldForms.track);
   addPlaces(numbers, options);
-  if (kind === "spline") return addTimes(numbers, options);
+  if (options.motion !== "b_spline") return addTimes(numbers, options);
   if (options.times !== undefined) throw new InvalidInput("times: a b_spline has none");
   return numbers;
 }
@@ -127,24 +125,28 @@ function addTimes(numbers, options) {
 }
 
 // Dragged bodies.
-const lockKinds = ["free", "hinge", "slider", "cylinder", "plane"];
+/** What each kind of lock has. */
+const lockParts = { free: [], hinge: ["direction", "point"], slider: ["direction"], cylinder: ["direction", "point"], plane: ["direction"] };
 
 /** How a dragged body may move at all. */
 function addLock(numbers, given) {
   checkOptions(given, ["kind", "direction", "point"], "lock");
-  const kind = lockKinds.indexOf(text(given.kind, "lock.kind"));
+  const kind = Object.keys(lockParts).indexOf(text(given.kind, "lock.kind"));
   if (kind < 0)
     throw new InvalidInput(`drag: lock: the kind must be free, hinge, slider, cylinder or plane, not ${given.kind}`);
   numbers.push(kind);
-  addOptional(numbers, given.direction, addCounted, "lock.direction");
-  return addOptional(numbers, given.point, addCounted, "lock.point");
+  for (const part of ["direction", "point"]) {
+    if (given[part] !== undefined && !lockParts[given.kind].includes(part)) throw new InvalidInput(`lock.${part}: says nothing about a lock of the kind ${given.kind}`);
+    addOptional(numbers, given[part], addCounted, `lock.${part}`);
+  }
+  return numbers;
 }
 
 /** A centre, and the moments of inertia per mass: 9 numbers, or 3 rows. */
 function addMass(numbers, given) {
   checkOptions(given, ["centre", "inertia"], "mass");
   const flat = (rows) => Array.from(rows, (row) => (isList(row) ? Array.from(row) : row)).flat();
-  const [count, ...inertia] = addCounted([], isList(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
+  const [count, ...inertia] = addCounted([], Array.isArray(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
   if (count !== 9) throw new InvalidInput(`mass.inertia: a matrix needs 9 numbers, and there are ${count}`);
   addOptional(numbers, given.centre, addCounted, "mass.centre");
   numbers.push(...inertia);

@@ -2,7 +2,7 @@
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { given, Held } from "./held.js";
-import { checkOptions, isArrayBuffer, isList, number, text, wayOut } from "./values.js";
+import { asBytes, checkOptions, isArrayBuffer, isList, number, shown, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
 const solids = ["automatic", "yes", "no"];
@@ -43,7 +43,7 @@ export class Polyhedron extends Held {
   }
   static ofCopy(border, { vertices, sizes, corners, options }) {
     border.giveNumbers(vertices);
-    border.giveBytes(bytesOf(sizes), bytesOf(corners));
+    border.giveBytes(asBytes(sizes, "faces"), asBytes(corners, "faces"));
     return new Polyhedron(border, border.call("body_from_arrays", sizes.length, ...options));
   }
 }
@@ -52,8 +52,6 @@ function part(body, name) {
   const { border, handle } = Held.own(body, Polyhedron, "polyhedron");
   return border.ask("body_part", handle, parts[name]);
 }
-
-const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 
 /** As numbers: whether to triangulate, what is solid, and the radius. */
 function bodyOptions(options) {
@@ -64,33 +62,41 @@ function bodyOptions(options) {
   return [triangulate ? 1 : 0, solids.indexOf(solid), number(radius, "radius")];
 }
 
+function refuseDetached(array, name) {
+  if (ArrayBuffer.isView(array)) asBytes(array, name);
+}
+
 /** Points as one array of numbers: a typed array, or an array of numbers or of points. */
 function flatPoints(vertices, name = "vertices") {
   if (!isList(vertices)) throw new InvalidInput(`${name}: must be an array of numbers or of points`);
+  refuseDetached(vertices, name);
   if (ArrayBuffer.isView(vertices)) return Float64Array.from(vertices, Number);
   if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `${name}[${i}]`));
   const numbers = new Float64Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) {
     const point = vertices[i]; // by index: forEach leaves out the holes of an array
-    if (!isList(point) || point.length !== 3) throw new InvalidInput(`${name}[${i}]: is no point of 3 numbers${wayOut(point)}`);
+    if (!isList(point) || point.length !== 3)
+      throw new InvalidInput(`${name}[${i}]: ${isList(point) ? `${point.length} numbers are` : `${shown(point)} is`} no point of 3 numbers${wayOut(point)}`);
     for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `${name}[${i}][${k}]`);
   }
   return numbers;
 }
 
-function index(value, face) {
-  if (!Number.isInteger(value) || value < 0 || value > largestIndex)
-    throw new InvalidInput(`faces[${face}]: there is no vertex ${String(value)}`);
-  return value;
+/** The number of a vertex; `place` says where it stands. */
+function index(value, ...place) {
+  if (Number.isInteger(value) && value >= 0 && value <= largestIndex) return value;
+  const name = `faces[${place.join("][")}]`;
+  throw new InvalidInput(typeof value === "number" ? `${name}: there is no vertex ${value}` : `${name}: ${shown(value)} is not a number, but vertices are named by numbers`);
 }
 
 /** Faces as the numbers of their corners, and all corners. */
 function flatFaces(faces) {
   if (!isList(faces)) throw new InvalidInput("faces: must be an array of indices or of faces");
+  refuseDetached(faces, "faces");
   if (!ArrayBuffer.isView(faces) && isList(faces[0])) return polygonFaces(faces);
   if (faces.length % 3 !== 0)
     throw new InvalidInput(`faces: ${faces.length} indices are no triangles of 3 corners each`);
-  const corners = Uint32Array.from(faces, (value, i) => index(value, Math.floor(i / 3)));
+  const corners = Uint32Array.from(faces, (value, i) => index(value, i));
   return { sizes: new Uint32Array(faces.length / 3).fill(3), corners };
 }
 
@@ -99,9 +105,9 @@ function polygonFaces(faces) {
   const corners = [];
   for (let i = 0; i < faces.length; ++i) {
     const face = faces[i];
-    if (!isList(face)) throw new InvalidInput(`faces[${i}]: is no list of indices`);
+    if (!isList(face)) throw new InvalidInput(`faces[${i}]: ${shown(face)} is no list of indices`);
     sizes[i] = face.length;
-    for (const value of face) corners.push(index(value, i));
+    for (let k = 0; k < face.length; ++k) corners.push(index(face[k], i, k));
   }
   return { sizes, corners: Uint32Array.from(corners) };
 }
@@ -118,6 +124,8 @@ function positive(value, name) {
 
 export function pointsBody(border, points, radius) {
   const vertices = flatPoints(points, "points");
+  if (vertices.length === 0) throw new InvalidInput("points: there are none; a body needs at least one");
+  if (vertices.length % 3 !== 0) throw new InvalidInput(`points: ${vertices.length} numbers are no points of 3 numbers each`);
   const corners = Uint32Array.from({ length: vertices.length }, (_, i) => Math.floor(i / 3));
   return fromArrays(border, vertices, corners, { radius: positive(radius, "radius") });
 }
@@ -129,9 +137,9 @@ export function capsule(border, radius, length) {
 
 export function fromFile(border, content, name, options) {
   const numbers = bodyOptions(options);
-  const bytes = isArrayBuffer(content) ? new Uint8Array(content) : content;
-  if (!ArrayBuffer.isView(bytes)) throw new InvalidInput("content: must be a Uint8Array or an ArrayBuffer");
+  if (!isArrayBuffer(content) && !ArrayBuffer.isView(content)) throw new InvalidInput("content: must be a Uint8Array or an ArrayBuffer");
+  const bytes = asBytes(content, "content");
   const nameBytes = new TextEncoder().encode(text(name, "name"));
-  border.giveBytes(nameBytes, bytesOf(bytes));
+  border.giveBytes(nameBytes, bytes);
   return new Polyhedron(border, border.call("body_from_file", nameBytes.length, ...numbers));
 }

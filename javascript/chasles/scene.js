@@ -65,7 +65,7 @@ export class Scene extends Held {
   moveAll(starts, goals, options = {}) {
     const { border, handle } = ownOfScene(this);
     checkOptions(options, ["motion"]);
-    const rule = addWorldRule([], options.motion ?? "velocity");
+    const rule = addWorldRule([], options);
     border.giveNumbers(addPoses(addPoses(rule, starts, "starts"), goals, "goals"));
     border.call("scene_move_all", handle);
   }
@@ -122,7 +122,7 @@ function setRule(scene, rule, a, b, distance = 0) {
 function ask(scene, question, options) {
   const { border, handle } = ownOfScene(scene);
   checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
-  border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
+  border.giveNumbers([...addQuery([], options, question !== "firstContact"), number(options.until, "until", 1)]);
   return border.read("scene_question", handle, questions[question]);
 }
 

@@ -38,6 +38,16 @@ export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(val
 /** Also one of another realm: of a frame, or of Node.js in jsdom. */
 export const isArrayBuffer = (value) => Object.prototype.toString.call(value) === "[object ArrayBuffer]";
 
+/** The bytes of a buffer, or of a view of one, in place. */
+export function asBytes(given, name) {
+  const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(given) ? given : { buffer: given };
+  try {
+    return new Uint8Array(buffer, byteOffset, byteLength);
+  } catch {
+    throw new InvalidInput(`${name}: is detached: its bytes belong to another thread now, as after postMessage`);
+  }
+}
+
 /** What a point of three.js, or an object of Babylon.js, is to be given as. */
 export function wayOut(value) {
   if (typeof value?.x === "number" && typeof value.y === "number")

@@ -52,7 +52,49 @@ test("holes and missing numbers are refused with their index, in every array", (
   }
   assert.match(refusal(() => body.call(chasles, withHole(vertices, 3), faces)), at(3));
   assert.match(refusal(() => body.call(chasles, vertices, withHole(faces, 2))), at(2));
-  assert.match(refusal(() => chasles.polyhedron(vertices, [withHole([0, 1, 3, 2], 1), ...faces])), /^faces\[0\]: there is no vertex undefined/);
+  assert.match(refusal(() => chasles.polyhedron(vertices, [withHole([0, 1, 3, 2], 1), ...faces])), /^faces\[0\]\[1\]: undefined is not a number/);
+});
+
+test("corners that are no numbers are called that", () => {
+  const asked = {
+    'faces[0][0]: "0"': [["0", "2", "1"], ["0", "1", "3"]], 'faces[0]: "0"': "0 2 1 0 1 3".split(" "), "faces[1]: 2n": [0, 2n, 1], "faces[0]: 0n": new BigUint64Array(3),
+    "faces[0][0]: an array": [[[0, 2, 1]]], "faces[0][2]: null": [[0, 2, null]],
+  };
+  for (const [start, list] of Object.entries(asked))
+    assert.equal(refusal(() => chasles.polyhedron(vertices, list)), `${start} is not a number, but vertices are named by numbers`);
+  assert.equal(refusal(() => chasles.polyhedron(vertices, [0, 1, 2, 0, 1, -1])), "faces[5]: there is no vertex -1");
+  assert.equal(refusal(() => chasles.polyhedron(vertices, [[0, 1, 2], "012"])), 'faces[1]: "012" is no list of indices');
+  assert.equal(refusal(() => chasles.polyhedron("0 0 1".split(" "), faces)), 'vertices[0]: "0" is no point of 3 numbers');
+  assert.equal(refusal(() => chasles.polyhedron([[0, 0, 0, 1]], faces)), "vertices[0]: 4 numbers are no point of 3 numbers");
+});
+
+test("points are refused as points, not as faces", () => {
+  assert.equal(refusal(() => chasles.points([0, 0, 0, 1], 1)), "points: 4 numbers are no points of 3 numbers each");
+  for (const none of [[], new Float64Array(0)]) assert.equal(refusal(() => chasles.points(none, 1)), "points: there are none; a body needs at least one");
+  assert.equal(refusal(() => chasles.points([[0, 0]], 1)), "points[0]: 2 numbers are no point of 3 numbers");
+});
+
+test("arrays whose bytes were sent to another thread are refused by name", async () => {
+  const detached = (array) => (structuredClone(array, { transfer: [array.buffer ?? array] }), array);
+  const message = (name) => `${name}: is detached: its bytes belong to another thread now, as after postMessage`;
+  for (const content of [new ArrayBuffer(8), new Uint8Array(8)]) {
+    assert.equal(refusal(() => chasles.fromFile(detached(content), "a.obj")), message("content"));
+    assert.equal(await refusal(load({ wasm: content })), message("wasm"));
+  }
+  assert.equal(refusal(() => chasles.polyhedron(detached(Float64Array.from(vertices.flat())), faces)), message("vertices"));
+  assert.equal(refusal(() => chasles.polyhedron(vertices, detached(new Uint32Array(3)))), message("faces"));
+  assert.equal(refusal(() => chasles.points(detached(new Float64Array(3)), 1)), message("points"));
+  assert.match(refusal(() => chasles.firstContact(cube, cube, detached(new Float64Array(7)), far)), /^start: 0 numbers found/);
+  assert.match(refusal(() => dragged({ mass: { inertia: detached(new Float64Array(9)) } })), /^mass\.inertia: a matrix needs 9 numbers, and there are 0/);
+});
+
+test("the way out for a file leads to formats that are read here", () => {
+  const step = new TextEncoder().encode('ISO-10303-21;\nHEADER;\nFILE_SCHEMA(("AUTOMOTIVE_DESIGN"));');
+  for (const [bytes, name] of [[step, "a.step"], [new Uint8Array(9), "a.stp"], [new TextEncoder().encode("glTF"), "a.stl"], [new Uint8Array(9), "a.glb"], [new Uint8Array(9), "a.dae"]]) {
+    const message = refusal(() => chasles.fromFile(bytes, name));
+    assert.match(message, /OBJ, OFF, PLY or STL|\.obj, \.off, \.ply, \.stl, \.bt and \.ot/);
+    assert.doesNotMatch(message.slice(message.indexOf(";")), /gl(b|TF)|3mf|dae/i);
+  }
 });
 
 test("null is no value of any option, and undefined counts as left out", async () => {
@@ -115,6 +157,7 @@ test("messages name options as JavaScript does", () => {
     const message = refusal(() => chasles.firstContact(cube, cube, far, [0, 0, 0], { [name]: value }));
     assert.match(message, new RegExp(`^\\w+: ${name}: must be`));
   }
+  assert.match(refusal(() => chasles.firstContact(cube, cube, far, [0, 0, 0], { maxTurn: 10 })), /^motion: maxTurn: must be at most pi radians/);
   const scene = chasles.scene();
   scene.add("a", cube);
   assert.equal(refusal(() => chasles.draggedBody(scene, "a").update(far, NaN)), "seconds: NaN is not a number; 0 is no bound");

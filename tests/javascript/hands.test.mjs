@@ -136,9 +136,10 @@ test("random hands with friction and locks go as the native ones do", { skip }, 
   const kinds = ["free", "hinge", "slider", "cylinder", "plane"];
   const questions = Array.from({ length: 150 }, (_, i) => {
     const kind = kinds[i % kinds.length];
-    const lock = { kind, direction: randomPose(random, 1).slice(0, 3), point: randomPose(random, 2).slice(0, 3) };
-    const walls = [1, 2].map((shape) => ({ name: `wall ${shape}`, shape, pose: randomPose(random, 1.5), motion: "velocity" }));
-    const hand = { name: "hand", shape: 0, pose: [0, 0, 4], motion: "velocity" };
+    const [direction, point] = [randomPose(random, 1).slice(0, 3), randomPose(random, 2).slice(0, 3)];
+    const lock = { kind, direction, ...(kind === "hinge" || kind === "cylinder" ? { point } : {}) };
+    const walls = [1, 2].map((shape) => ({ name: `wall ${shape}`, shape, pose: randomPose(random, 1.5) }));
+    const hand = { name: "hand", shape: 0, pose: [0, 0, 4] };
     const goal = [...randomPose(random, 1).slice(0, 3), 1, random(), random(), random()];
     return { ask: "drag", bodies: [hand, ...walls], body: "hand", goals: [goal], friction: random(), ...(kind === "free" ? {} : { lock }) };
   });
@@ -172,6 +173,9 @@ test("wrong options are refused in the words of the library", () => {
   assert.match(refused({ mass: {} }), /^mass\.inertia: undefined is no array/);
   assert.match(refused({ lock: { kind: "hinge", axis: [0, 0, 1] } }), /^axis: is no option here; there are kind, direction, point/);
   assert.match(refused({ lock: { kind: "hinge", direction: [1, 2] } }), /^lock\.direction: a point needs 3 numbers/);
+  for (const kind of ["free", "slider", "plane"])
+    assert.equal(refused({ lock: { kind, point: [0, 0, 0] } }), `lock.point: says nothing about a lock of the kind ${kind}`);
+  assert.equal(refused({ lock: { kind: "free", direction: [0, 0, 1] } }), "lock.direction: says nothing about a lock of the kind free");
   assert.match(refused({ lock: "hinge" }), /^lock: must be an object/);
   assert.match(refused({ lock: {} }), /^lock\.kind: undefined is not a text/);
   assert.equal(boxOnTable({ lock: { kind: "free" }, friction: 100 }).update([0, 0, 5]).state, "reached");

@@ -187,8 +187,8 @@ test("random paths, least distances, scenes, hands and refused questions", { ski
   }
   for (let i = 0; i < Math.ceil(many / 10); ++i) {
     const members = [
-      { name: "hand", shape: 0, pose: [0, 0, 6], motion: "velocity" },
-      ...[1, 2, 3].map((k) => ({ name: `wall ${k}`, shape: k, pose: randomPose(random, 2), motion: "velocity" })),
+      { name: "hand", shape: 0, pose: [0, 0, 6] },
+      ...[1, 2, 3].map((k) => ({ name: `wall ${k}`, shape: k, pose: randomPose(random, 2) })),
     ];
     const goals = Array.from({ length: 10 }, () => [...randomPose(random, 1).slice(0, 3), 1, random(), random(), random()]);
     lines.push({ ask: "drag", bodies: members, body: "hand", goals });

@@ -99,7 +99,7 @@ test("files that cannot be read are refused with their name, the line and the re
   assert.equal(read("v 0 0 nan\n", "a.obj").slice(0, 13), "a.obj: line 1");
   assert.match(read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj"), /^a\.obj: line 4: /);
   assert.match(read("", "a.obj"), /^a\.obj: is empty/);
-  assert.match(read("solid", "picture.png"), /^picture\.png: the extension is none of/);
+  assert.match(read("solid", "picture.png"), /^picture\.png: no reader for the extension '\.png'; \.obj, /);
   assert.match(read("v 0 0 0\n", "two\nlines.obj"), /has no face/);
   assert.match(refusal(() => chasles.fromFile("text", "a.obj")), /^content: /);
   const random = randomNumbers(2);
@@ -176,13 +176,13 @@ test("wrong arguments are refused in words, and the instance goes on", () => {
   assert.match(refusal(() => chasles.firstContactBatch(cube, cube, [far, [1]], [near, near])), /^motion 1: start: 1 number/);
   const mesh = (vertices, faces, options) => refusal(() => chasles.polyhedron(vertices, faces, options));
   assert.match(mesh(box().vertices, [[0, 1, 8]]), /^face 0: vertex index 8 is out of range/);
-  assert.match(mesh(box().vertices, [[0, 1, -1]]), /^faces\[0\]: there is no vertex -1/);
-  assert.match(mesh(box().vertices, [[0, 1, 1.5]]), /^faces\[0\]: there is no vertex 1.5/);
+  assert.match(mesh(box().vertices, [[0, 1, -1]]), /^faces\[0\]\[2\]: there is no vertex -1/);
+  assert.match(mesh(box().vertices, [[0, 1, 1.5]]), /^faces\[0\]\[2\]: there is no vertex 1.5/);
   assert.match(mesh(box().vertices, [0, 1]), /^faces: 2 indices are no triangles/);
   assert.match(mesh(box().vertices, [[0, 1]]), /^face 0: /);
   assert.match(mesh(box().vertices, []), /face/);
   assert.match(mesh([1, 2], [0, 1, 2]), /^vertices: 2 numbers are no points/);
-  assert.match(mesh([[0, 0]], [0, 1, 2]), /^vertices\[0\]: is no point/);
+  assert.match(mesh([[0, 0]], [0, 1, 2]), /^vertices\[0\]: 2 numbers are no point/);
   assert.match(mesh([[0, 0, NaN], [1, 0, 0], [0, 1, 0]], [0, 1, 2]), /vertex 0/);
   assert.match(mesh(box().vertices, box().faces, { triangulate: 1 }), /^triangulate: /);
   assert.equal(chasles.firstContact(cube, cube, far, near).verdict, "contact");
@@ -227,7 +227,7 @@ test("what stands beside the right argument is refused with the way out", () => 
   assert.match(refusal(() => chasles.scene().add("a", part)), /^shape: is no Polyhedron, but has one: give its body$/);
   assert.match(refusal(() => chasles.firstContact(cube, cube, point, near)), /^start: .* is no array of numbers: a Vector3 is given as v\.toArray\(\)$/);
   assert.match(refusal(() => chasles.poseAt(far, near, 0, { motion: "sweep", centre: point })), /^centre: .* v\.toArray\(\)$/);
-  assert.match(refusal(() => chasles.polyhedron([point, point, point], [[0, 1, 2]])), /^vertices\[0\]: is no point of 3 numbers: .* v\.toArray\(\)$/);
+  assert.match(refusal(() => chasles.polyhedron([point, point, point], [[0, 1, 2]])), /^vertices\[0\]: .* is no point of 3 numbers: .* v\.toArray\(\)$/);
   const scene = chasles.scene();
   scene.add("a", cube);
   for (const rounds of [1e10, 2 ** 30 + 1, 1.5, Infinity])
@@ -339,7 +339,7 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.match(refusal(() => scene.add("d", cube, { poses: [far, near], times: [0, 2] })), /^times: must run from 0 to 1/);
   assert.match(refusal(() => scene.add("d", cube, { poses: [far], pose: far })), /^poses: stand instead/);
   assert.match(refusal(() => scene.remove("x")), /^scene: x: is not in the scene/);
-  assert.match(refusal(() => scene.firstContact({ hold: 9 })), /^query: hold: must be less than some margin/);
+  assert.match(refusal(() => scene.firstContact({ hold: 9 })), /^query: hold: .*margin/);
   assert.deepEqual(scene.names, ["c", "b"]);
 });
 

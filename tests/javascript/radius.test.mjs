@@ -44,7 +44,7 @@ test("messages name the argument once", () => {
 test("sizes that no body has are refused", () => {
   assert.match(refusal(() => chasles.sphere(0)), /radius: must be positive, and is 0/);
   assert.match(refusal(() => chasles.capsule(1, -1)), /length: must be positive/);
-  assert.match(refusal(() => chasles.points([[1, 2]], 1)), /points\[0\]: is no point of 3 numbers/);
+  assert.match(refusal(() => chasles.points([[1, 2]], 1)), /points\[0\]: 2 numbers are no point of 3 numbers/);
   assert.match(refusal(() => chasles.polyhedron(box().vertices, box().faces, { radius: "1" })), /radius/);
   assert.match(refusal(() => chasles.polyhedron(box().vertices, box().faces, { radius: -100 })), /turns face/);
 });

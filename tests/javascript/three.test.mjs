@@ -275,7 +275,7 @@ test("faces have the ids that three.js gives them, with a draw range, groups and
     assert.deepEqual(found, expected);
   }
   cut.setDrawRange(0, 0);
-  assert.match(refusal(() => chasles.fromBufferGeometry(cut)), /face|area|surface/);
+  assert.match(refusal(() => chasles.fromBufferGeometry(cut)), /within its drawRange/);
 });
 
 test("what is hidden is a body all the same", () => {
@@ -347,4 +347,36 @@ test("a mesh in the place of a geometry, and a geometry in that of a mesh: the r
   const solid = new BoxGeometry(2, 2, 2);
   assert.match(refusal(() => chasles.fromBufferGeometry(new Mesh(solid))), /^geometry: is a Mesh: fromObject3D\(mesh\)/);
   assert.match(refusal(() => chasles.fromObject3D(solid)), /^object: is no Mesh, but a geometry: fromBufferGeometry\(geometry\) takes it/);
+});
+
+test("where nothing is drawn, the reason is named", () => {
+  const drawn = (start, count) => {
+    const solid = new BoxGeometry(1, 1, 1);
+    solid.setDrawRange(start, count);
+    return solid;
+  };
+  for (const [start, count] of [[0, 0], [900, 30], [0, 2], [34, Infinity]]) {
+    const reason = `geometry: none of its 36 corners begins a triangle within its drawRange (start ${start}, count ${count})`;
+    assert.equal(refusal(() => chasles.fromBufferGeometry(drawn(start, count))), reason);
+    assert.equal(refusal(() => chasles.fromObject3D(new Mesh(drawn(start, count)))), reason);
+    assert.equal(refusal(() => chasles.fromObject3D(new Mesh(drawn(start, count), [new MeshBasicMaterial()]))), `${reason} and its groups`);
+  }
+  const solid = new BoxGeometry(1, 1, 1);
+  const reason = /^geometry\.groups: none has a material of the mesh's list, so nothing is drawn: addGroup\(start, count, materialIndex\), or one material/;
+  assert.match(refusal(() => chasles.fromObject3D(new Mesh(solid, []))), reason);
+  solid.clearGroups();
+  assert.match(refusal(() => chasles.fromObject3D(new Mesh(solid, [new MeshBasicMaterial()]))), reason);
+  const empty = new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 0, 1, 0, 0], 3));
+  assert.equal(refusal(() => chasles.fromBufferGeometry(empty)), "geometry: has 2 corners, and a triangle needs 3");
+});
+
+test("an object at no place is refused as an object", () => {
+  const mesh = new Mesh(new BoxGeometry(1, 1, 1));
+  const part = chasles.fromObject3D(mesh);
+  for (const x of [NaN, Infinity, 1e31]) {
+    mesh.position.x = x;
+    assert.equal(refusal(() => part.pose), "object: its matrix in the world has a number that is NaN or beyond 1e30");
+  }
+  mesh.position.x = 1;
+  assert.deepEqual(part.pose, [1, 0, 0, 1, 0, 0, 0]);
 });

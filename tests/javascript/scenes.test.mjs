@@ -1,0 +1,81 @@
+// Scenes: what their answers say, and what they refuse.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load } from "chasles";
+import { box, refusal } from "./shapes.mjs";
+
+const chasles = await load();
+const { vertices, faces } = box();
+const cube = chasles.polyhedron(vertices, faces);
+
+/** A plate of 40 by 40 and of 2 n^2 triangles, the higher the farther from its middle. */
+function bowedPlate(n, height, bow) {
+  const indices = Array.from({ length: n + 1 }, (_, i) => i);
+  const places = indices.map((i) => (40 * i) / n - 20);
+  const corner = (i, k) => i * (n + 1) + k;
+  const squares = indices.slice(1).flatMap((i) => indices.slice(1).map((k) => [corner(i - 1, k - 1), corner(i, k - 1), corner(i, k), corner(i - 1, k)]));
+  return chasles.polyhedron(
+    places.flatMap((x) => places.map((y) => [x, y, height + (bow * (x * x + y * y)) / 800])),
+    squares.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]),
+  );
+}
+
+test("a list of contacts that is cut says so, in every answer that has one", () => {
+  const [lower, upper] = [bowedPlate(60, 0, 0.49), bowedPlate(60, 2, 0.5)];
+  const [start, goal] = [[0, 0, 0], [0, 0, 1]];
+  const scene = chasles.scene();
+  scene.add("lower", lower);
+  scene.add("upper", upper, { pose: start, goal });
+  const options = { margin: 2.3, find: "first_with_all_contacts" };
+  for (const found of [...scene.allContacts(options).events, scene.firstContact(options), chasles.firstContact(upper, lower, start, goal, options)])
+    assert.deepEqual([found.contacts_cut, found.contacts.length > 500], [true, true]);
+  const held = chasles.firstContact(upper, lower, start, goal, { ...options, hold: 1 });
+  assert.deepEqual([held.verdict, held.contacts_cut, held.held.length > 500], ["clear", true, true]);
+  const few = chasles.scene();
+  few.add("lower", cube);
+  few.add("upper", cube, { pose: [0, 0, 3], goal: [0, 0, 0] });
+  assert.ok(!("contacts_cut" in few.allContacts(options).events[0]));
+});
+
+test("a wrong name is answered with the names that the call takes", () => {
+  const [pose, goal] = [[0, 0, 0], [1, 0, 0]];
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  const all = "must be 'velocity', 'twist', 'spline' or 'b_spline'";
+  assert.equal(refusal(() => scene.add("b", cube, { pose, goal, motion: "linear" })), `motion: "linear": ${all}`);
+  assert.equal(refusal(() => scene.move("a", { poses: [pose, goal], times: [0, 1], motion: "bspline" })), `motion: "bspline": ${all}`);
+  assert.match(refusal(() => scene.add("b", cube, { pose, goal, motion: "sweep" })), /a scene takes 'velocity', 'twist', 'spline' and 'b_spline'$/);
+  for (const motion of ["spline", "xx"]) assert.equal(refusal(() => scene.moveAll([pose], [goal], { motion })), `motion: "${motion}": must be 'velocity' or 'twist'`);
+  assert.match(refusal(() => scene.moveAll([pose], [goal], { motion: "sweep" })), /a scene takes 'velocity' and 'twist'$/);
+  for (const [motion, more] of [["twist", { pose, goal }], ["twist", { poses: [pose, goal], times: [0, 1] }], ["b_spline", { poses: [pose, goal] }]])
+    assert.equal(refusal(() => scene.move("a", { ...more, motion, centre: [0, 0, 0] })), `centre: is for the motion velocity, but the motion is a ${motion}`);
+  const lists = [(find) => scene.allContacts({ find }), (find) => scene.clearUntil({ find }), (find) => chasles.leastDistance(cube, cube, [5, 0, 0], goal, { find })];
+  for (const ask of lists) assert.equal(refusal(() => ask("all")), "find: \"all\": must be 'first' or 'first_with_all_contacts'");
+});
+
+test("a body that stands still takes no options of a motion", () => {
+  const scene = chasles.scene();
+  const still = (name) => `${name}: is for a body that moves; without a goal or poses it stands still`;
+  for (const more of [{}, { pose: [0, 0, 0] }]) {
+    assert.equal(refusal(() => scene.add("a", cube, { ...more, motion: "twist" })), still("motion"));
+    assert.equal(refusal(() => scene.add("a", cube, { ...more, centre: [NaN, 0, 0] })), still("centre"));
+  }
+  scene.add("a", cube, { pose: [0, 0, 0], motion: undefined, centre: undefined });
+  assert.equal(refusal(() => scene.move("a", { pose: [0, 0, 0], motion: "velocity" })), still("motion"));
+  assert.match(refusal(() => scene.move("a", { pose: [0, 0, 0], goal: [1, 0, 0], centre: [NaN, 0, 0] })), /NaN|finite/);
+});
+
+test("rules of groups may be set before the groups have bodies, and holds before margins", () => {
+  const scene = chasles.scene();
+  scene.setGroupMargin("walls", "parts", 0.1);
+  scene.setGroupHold("walls", "parts", 0.02);
+  scene.ignoreGroups("walls", "walls");
+  scene.add("table", cube, { group: "walls" });
+  scene.add("box", cube, { group: "parts", pose: [0, 0, 2.05], goal: [0.5, 0, 2.05] });
+  scene.add("base", cube, { group: "walls", pose: [0, 0, -1], goal: [0, 0, -1.5] });
+  assert.equal(scene.firstContact().verdict, "clear");
+  scene.setHold("box", "table", 0.2); // not less than the margin: without effect
+  assert.equal(scene.firstContact().verdict, "contact_at_start");
+  scene.setMargin("box", "table", 0.3);
+  assert.equal(scene.firstContact().verdict, "clear");
+});
