@@ -25,10 +25,19 @@ void require_hold(double hold) {
 }
 
 void check_options(const QueryOptions& options) {
+    check_options(options, options.margin);
+}
+
+void check_options(const QueryOptions& options, double largest_margin) {
     require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
     require(options.margin >= 0 && options.margin <= largest_margin, "margin", "must be in [0, 1e30]");
-    require(!options.hold || (*options.hold >= 0 && *options.hold < options.margin), "hold",
-            "must be at least 0 and less than the margin");
+    if (options.hold) {
+        require_hold(*options.hold);
+        if (!(*options.hold < largest_margin))
+            throw InvalidInput(
+                "query: hold: " + number_text(*options.hold) + " is not less than the margin" +
+                (largest_margin > 0 ? ' ' + number_text(largest_margin) : ", which is 0 unless one is given"));
+    }
     require(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
 }
 

@@ -44,17 +44,11 @@ Prepared::Obstacle obstacle_of(std::size_t index, const Polyhedron& shape, const
 }
 
 /// As for scenes: `hold` needs some pair with a greater margin.
-void check_options(QueryOptions options, const Model& model) {
-    if (options.hold) {
-        query::require_hold(*options.hold);
-        double largest = options.margin;
-        for (const auto& [owners, margin] : model.margins)
-            largest = std::max(largest, margin);
-        query::require(*options.hold < largest, "hold",
-                       "must be less than some margin; the margin is 0 unless one is given");
-        options.hold.reset(); // the margin of the question may be less
-    }
-    query::check_options(options);
+void check_options(const QueryOptions& options, const Model& model) {
+    double largest = options.margin;
+    for (const auto& [owners, margin] : model.margins)
+        largest = std::max(largest, margin);
+    query::check_options(options, largest);
 }
 
 } // namespace

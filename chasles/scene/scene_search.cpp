@@ -42,14 +42,7 @@ private:
 };
 
 void check(const Scene& scene, const SceneQuery& query) {
-    QueryOptions options = query.options;
-    if (options.hold) {
-        query::require_hold(*options.hold);
-        query::require(*options.hold < scene.margins(options.margin).upper, "hold",
-                       "must be less than some margin; the margin is 0 unless one is given");
-        options.hold.reset(); // that of the question may be less
-    }
-    query::check_options(options);
+    query::check_options(query.options, scene.margins(query.options.margin).upper);
     query::require(query.until >= 0 && query.until <= 1, "until", "must be in [0, 1]");
 }
 

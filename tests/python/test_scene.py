@@ -56,7 +56,7 @@ def test_what_rests_on_a_table_may_slide(cube):
         assert copy.first_contact(margin=0.1).verdict == "clear"
     scene.set_hold("table", "box", 0.2)  # not less than the margin
     assert scene.first_contact(margin=0.1).verdict == "contact_at_start"
-    with pytest.raises(chasles.InvalidInput, match="query: hold: must be less than some margin"):
+    with pytest.raises(chasles.InvalidInput, match="query: hold: 0 is not less than the margin, which is 0 unless"):
         scene.first_contact(hold=0)
 
 

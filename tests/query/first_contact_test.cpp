@@ -278,8 +278,11 @@ TEST(FirstContact, OptionsOutOfRangeAreRefusedWithAReason) {
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = nan}}), "");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 2e30}}), "");
     EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .options = {.hold = 0.1}}),
-              "query: hold: must be at least 0 and less than the margin");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 1, .hold = nan}}), "");
+              "query: hold: 0.1 is not less than the margin, which is 0 unless one is given");
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 1, .hold = 2}}),
+              "query: hold: 2 is not less than the margin 1");
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 1, .hold = nan}}),
+              "query: hold: must be in [0, 1e30]");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.time_tolerance = 0}}), "");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.time_tolerance = nan}}), "");
     EXPECT_EQ(refusal_of_turn(0), "motion: max_turn: must be at least 1e-4 radians (0.00573 degrees)");

@@ -134,10 +134,17 @@ TEST(RobotHold, AnswersAsAllPairsByThemselves) {
 TEST(RobotHold, NeedsSomeGreaterMargin) {
     Robot robot = crane();
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = 0.1}}); }),
-              "query: hold: must be less than some margin; the margin is 0 unless one is given");
+              "query: hold: 0.1 is not less than the margin 0.1");
+    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.hold = 0.1}}); }),
+              "query: hold: 0.1 is not less than the margin, which is 0 unless one is given");
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = -1}}); }),
               "query: hold: must be in [0, 1e30]");
     robot.set_margin("base", "load", 0.3);
+    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = -1, .hold = 0.1}}); }),
+              "query: margin: must be in [0, 1e30]")
+        << "the margin of a pair hides no wrong one";
+    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = 0.5}}); }),
+              "query: hold: 0.5 is not less than the margin 0.3");
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = 0.1}}); }), "accepted");
 }
 
