@@ -14,7 +14,9 @@ namespace chasles {
 /// Thrown by a question that a Limit ends and that has no answer "unknown".
 struct CHASLES_EXPORT Cancelled : std::exception {
     explicit Cancelled(double proven_until = 0) : clear_until(proven_until) {}
-    [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
+    [[nodiscard]] const char* what() const noexcept override {
+        return "a limit was reached before the answer, and nothing of it is known: ask again with more time";
+    }
 
     double clear_until; ///< what the question has proven, where it is one about a motion: a time in [0, 1]
 };

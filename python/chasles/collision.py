@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair, _Use
+from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair, _Use, _why_cancelled
 from .articles import with_article
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
@@ -304,7 +304,7 @@ def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[Scene
         return scene.all_contacts(until=0, find="first_with_all_contacts" if return_data else "first")
     found = scene.first_contact(until=0, find="any")
     if found.verdict == Verdict.unknown:
-        raise Cancelled("cancelled")
+        raise Cancelled(_why_cancelled)
     return [] if found.verdict == Verdict.clear else [found]
 
 

@@ -30,7 +30,7 @@ import numpy as np
 import numpy.typing as npt
 from ompl import base as _base
 
-from ._core import Cancelled, InvalidInput, Polyhedron, Robot, RobotChecker, _free_body
+from ._core import Cancelled, InvalidInput, Polyhedron, Robot, RobotChecker, _free_body, _why_cancelled
 from .articles import with_article
 from .enums import Verdict
 
@@ -296,7 +296,7 @@ class RobotMotionValidator(_base.MotionValidator):
     def _is_valid_or_last(self, s1: Any, s2: Any, last: LastValid) -> bool:
         found = self._checker.first_contact(self._values(s1), self._values(s2))
         if found.verdict == Verdict.unknown:
-            raise Cancelled("cancelled")
+            raise Cancelled(_why_cancelled)
         is_clear = found.verdict == Verdict.clear
         if is_clear and self._information.isValid(s2):
             return True

@@ -56,6 +56,9 @@ std::string summary(const FirstContact& found, const std::string& bodies = "");
 /// The same with times that may be stamps: `why_uncertain` was asked before.
 std::string summary(const FirstContact& found, const std::string& bodies, const std::string& why_uncertain);
 
+/// What the text of a least distance that is not certain says about it: " (uncertain: ...)".
+const char* doubt_about(const Bracket& distance);
+
 /// "edge 0-3 on edge 2-6"
 std::string text_of(const Contact& contact);
 

@@ -38,8 +38,7 @@ std::string summary(const LeastDistance& found) {
     std::string text = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
     text += " at time " + time_text(found.time.lower);
     if (!found.certain)
-        text += found.distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
-                                         : " (uncertain: the bodies may miss each other by a rounding error)";
+        text += doubt_about(found.distance);
     if (found.overlap && found.overlap->certain)
         text += ", overlapping";
     if (found.inside)
@@ -105,6 +104,11 @@ void answer_batch(nb::handle moving, nb::handle fixed, const RowMotions& motions
 }
 
 } // namespace
+
+const char* doubt_about(const Bracket& distance) {
+    return distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
+                              : " (uncertain: the bodies may miss each other by a rounding error)";
+}
 
 void bind_least_distance(nb::module_& module) {
     static const std::string text = least_distance_doc();

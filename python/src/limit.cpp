@@ -94,6 +94,7 @@ private:
 
 void bind_limit(nb::module_& module) {
     nb::exception<Cancelled>(module, "Cancelled", PyExc_RuntimeError).attr("__doc__") = doc("Cancelled");
+    module.attr("_why_cancelled") = Cancelled().what();
     nb::class_<PythonLimit>(
         module, "Limit",
         "A limit of time for all questions inside a `with` block of this thread::\n\n"

@@ -14,10 +14,12 @@ namespace {
 std::string summary(const PythonClearance& clearance) {
     const RobotClearance& found = clearance.found;
     if (!found.pair)
-        return "<chasles.RobotClearance: no two bodies are tested>";
+        return found.certain
+                   ? "<chasles.RobotClearance: no two bodies are tested>"
+                   : "<chasles.RobotClearance: unknown: the limit was reached before two bodies were searched>";
     const std::string distance = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
     return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {} of segment {}>", distance,
-                       found.certain ? "" : " (uncertain)", found.pair->first, found.pair->second,
+                       found.certain ? "" : doubt_about(found.distance), found.pair->first, found.pair->second,
                        time_text(clearance.time().lower), found.segment);
 }
 

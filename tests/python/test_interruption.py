@@ -223,7 +223,7 @@ def test_a_limit_of_time():
     assert "unknown: the limit was reached" in repr(found)
     with pytest.raises(chasles.InvalidInput, match="nothing to show"):
         scene.view(found)
-    with pytest.raises(chasles.Cancelled):
+    with pytest.raises(chasles.Cancelled, match="a limit was reached before the answer, and nothing of it is known"):
         limited(0.1, scene.all_contacts)
 
 

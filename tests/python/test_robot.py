@@ -295,3 +295,28 @@ def test_wrong_arguments_are_refused(arm, tmp_path):
     (tmp_path / "bad.urdf").write_text(ARM.replace('link="lower"/><origin', 'link="hand"/><origin'))
     with pytest.raises(chasles.InvalidInput, match=r"bad.urdf:\d+: <joint elbow>: child: there is no link 'hand'"):
         chasles.Robot.load(tmp_path / "bad.urdf")
+
+
+def test_a_checker_refuses_its_options_at_once(arm):
+    for options, why in (
+        ({"margin": 0.01, "hold": 0.02}, "query: hold: 0.02 is not less than the margin 0.01"),
+        ({"hold": 0.02}, "query: hold: 0.02 is not less than the margin, which is 0 unless one is given"),
+    ):
+        with pytest.raises(chasles.InvalidInput, match=why):
+            chasles.RobotChecker(arm, **options)
+
+
+def test_packages_that_are_not_used_make_a_warning(tmp_path):
+    (tmp_path / "arm.urdf").write_text(ARM)
+    robot = chasles.Robot.load(tmp_path / "arm.urdf", packages={"foo": "/none"})
+    assert robot.warnings == ["packages: no collision shape has a mesh of 'foo', and there is no folder /none"]
+
+
+def test_a_limit_says_what_a_robot_does_not_know(arm, world):
+    checker = chasles.RobotChecker(arm, world)
+    with chasles.Limit(1e-9):
+        for ask in (lambda: checker.is_clear([0, 0], [1, 0]), lambda: checker.pairs_in_contact([0, 0])):
+            with pytest.raises(chasles.Cancelled, match="a limit was reached before the answer"):
+                ask()
+        text = repr(checker.least_distance([0, 0], [1, 0]))
+        assert "unknown: the limit was reached" in text or "(uncertain: the bracket is wider" in text
