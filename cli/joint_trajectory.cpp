@@ -212,9 +212,8 @@ robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_
     for (const Json& point : at_place("points", [&]() -> const Json& { return entries_of(trajectory["points"]); }))
         at_place("points: point " + std::to_string(++number), [&] { reader.read(point); });
     robot::ConfigurationRows rows = reader.finish();
-    if (!columns.ignored().empty())
-        rows.warnings.push_back("joint_names: ignored joints: " + io::shown_names(columns.ignored()) +
-                                "; the robot has no variables of these names");
+    for (const std::string& warning : columns.warnings("joints"))
+        rows.warnings.push_back("joint_names: " + warning);
     return rows;
 }
 

@@ -137,6 +137,21 @@ Pose Model::pose_of(const SegmentMotion& motion, std::size_t owner, double time)
     return motion::rounded(frame->refined_at(Wide(time)));
 }
 
+/// Each group is placed by the group above it, once.
+std::vector<Pose> Model::link_poses(const SegmentMotion& motion, double time) const {
+    std::vector<FixedPose> of_groups{FixedPose(base)};
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        Chain chain;
+        chain.add(of_groups[groups[g].parent]);
+        add_down(chain, motion, g, groups[g].parent);
+        of_groups.emplace_back(motion::chain_frame(std::move(chain))->refined_at(Wide(time)));
+    }
+    std::vector<Pose> poses;
+    for (std::size_t i = 0; i < description.links.size(); ++i)
+        poses.push_back(motion::rounded((of_groups[owners[i].group] * owners[i].place).refined));
+    return poses;
+}
+
 Chain Model::chain_between(const SegmentMotion& motion, const Element& from, const Element& to) const {
     std::size_t a = from.group, b = to.group; // their first common group above
     while (a != b)

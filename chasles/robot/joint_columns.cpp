@@ -2,7 +2,9 @@
 #include "chasles/robot/joint_columns.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/io/column_table.h"
+#include "chasles/robot/model.h"
 
 #include <algorithm>
 #include <array>
@@ -96,6 +98,13 @@ bool is_with_word(std::string_view name, std::string_view variable) {
     return separators.find(name[before.size()]) != std::string_view::npos && !is_among(other_quantities, word);
 }
 
+/// Why the name of a joint is not that of a variable.
+std::string why_no_variable(const JointDescription& joint) {
+    if (joint.mimic)
+        return "which follows " + io::in_quotes(joint.mimic->joint);
+    return joint.type == JointType::fixed ? "which is fixed" : "which has several variables";
+}
+
 bool may_be(const std::string& name, const std::string& variable) {
     return io::differ_by_a_slip(name, variable) || is_with_word(name, variable) || is_with_ending(name, variable);
 }
@@ -109,7 +118,8 @@ std::string names_of_variables(const Robot& robot) {
     return io::shown_names(names);
 }
 
-JointColumns::JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units) : robot_(robot) {
+JointColumns::JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units)
+    : robot_(robot), names_(names.begin(), names.end()) {
     io::require_different(names);
     for (const std::string& name : names) {
         columns_.push_back(column_of(name, units));
@@ -185,25 +195,51 @@ void JointColumns::require_one_each(std::span<const std::string> names) const {
 
 // A variable that is left out stays where it is. Nobody wants that of a variable whose name is misspelt.
 void JointColumns::require_no_misspelt_name() const {
-    const auto variables = robot_.variables();
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        const auto reads_it = [&](const Column& column) { return column.variable == i; };
-        if (std::ranges::any_of(columns_, reads_it))
-            continue;
-        const std::string variable = io::lower_case(variables[i].name);
+    for (const std::string& variable : missing())
         for (const std::string& name : ignored_)
-            if (may_be(io::lower_case(name), variable))
-                throw InvalidInput(
-                    "the column " + io::in_quotes(name) + " is no variable of the robot; it may be a misspelt " +
-                    io::in_quotes(variables[i].name) + ", which has no column, or one to leave out of the file");
+            if (may_be(io::lower_case(name), io::lower_case(variable)))
+                throw InvalidInput("the column " + io::in_quotes(name) +
+                                   " is no variable of the robot; it may be a misspelt " + io::in_quotes(variable) +
+                                   ", which has no column, or one to leave out of the file");
+}
+
+std::vector<std::string> JointColumns::missing() const {
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < robot_.variables().size(); ++i)
+        if (std::ranges::find(columns_, std::optional(i), &Column::variable) == columns_.end())
+            missing.push_back(robot_.variables()[i].name);
+    return missing;
+}
+
+std::vector<std::string> JointColumns::warnings(const std::string& plural) const {
+    std::vector<std::string> lines, unknown;
+    for (const std::string& name : ignored_) {
+        const auto& joints = robot_.description().joints;
+        const auto joint = std::ranges::find(joints, name, &JointDescription::name);
+        if (joint == joints.end())
+            unknown.push_back(name);
+        else
+            lines.push_back("ignored " + plural + ": " + io::in_quotes(name) + ", " + why_no_variable(*joint));
     }
+    if (!unknown.empty())
+        lines.push_back("ignored " + plural + ": " + io::shown_names(unknown) +
+                        "; the robot has no variables of these names");
+    if (const std::vector<std::string> variables = missing(); !variables.empty())
+        lines.push_back("no values for " + io::shown_names(variables) + ": they stay at their neutral values");
+    return lines;
 }
 
 Configuration JointColumns::configuration(std::span<const double> row) const {
     Configuration values = robot_.neutral();
-    for (std::size_t i = 0; i < row.size(); ++i)
-        if (const auto& [variable, is_in_degrees] = columns_[i]; variable)
-            values[static_cast<Eigen::Index>(*variable)] = is_in_degrees ? row[i] / 180 * std::numbers::pi : row[i];
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const auto& [variable, is_in_degrees] = columns_[i];
+        if (!variable)
+            continue;
+        const double value = is_in_degrees ? row[i] / 180 * std::numbers::pi : row[i];
+        if (const std::string why = why_too_large(robot_.model(), *variable, value); !why.empty())
+            throw InvalidInput(io::one_line(names_[i]) + ": " + number_text(row[i], 9) + why);
+        values[static_cast<Eigen::Index>(*variable)] = value;
+    }
     return values;
 }
 

@@ -30,11 +30,12 @@ public:
     JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units);
 
     /// Variables that are left out have the values of Robot::neutral(). The row has a number for each name; numbers of
-    /// columns that are not read are not used.
+    /// columns that are not read are not used. Throws InvalidInput for a value that no path may have.
     [[nodiscard]] Configuration configuration(std::span<const double> row) const;
     [[nodiscard]] bool reads(std::size_t column) const { return columns_[column].variable.has_value(); }
-    /// The names that are no variable of the robot.
-    [[nodiscard]] const std::vector<std::string>& ignored() const { return ignored_; }
+    /// One line each about names that are not read, and about variables that have no name. `plural` says what the
+    /// names are those of: "columns".
+    [[nodiscard]] std::vector<std::string> warnings(const std::string& plural) const;
 
     /// Whether a name may be that of a column.
     static bool is_name(const Robot& robot, std::string_view name);
@@ -50,8 +51,11 @@ private:
     [[nodiscard]] Column with_unit(const Column& column, std::string_view name, std::string_view unit) const;
     void require_one_each(std::span<const std::string> names) const;
     void require_no_misspelt_name() const;
+    /// The variables without a column.
+    [[nodiscard]] std::vector<std::string> missing() const;
 
     const Robot& robot_;
+    std::vector<std::string> names_;
     std::vector<Column> columns_;
     std::vector<std::string> ignored_;
 };

@@ -46,7 +46,7 @@ std::string way_to_smaller_values(const robot::Model& model, std::size_t variabl
         return "give the quaternion the length 1";
     if (!is_angle(model, name))
         return "choose a larger unit of length";
-    const std::string way = "take whole turns (2 pi) off all its values";
+    const std::string way = "take whole turns off all its values";
     const bool repeats = std::ranges::all_of(
         model.groups, [&](const robot::RigidGroup& group) { return group.repeats_after_a_turn(variable); });
     return repeats ? way : way + ", and add each turn times the multiplier to the offset of a joint that follows it";
@@ -62,12 +62,23 @@ void check_numbers(const robot::Model& model, const Configuration& values, const
             refuse(what, model.variables[std::size_t(i)].name + " is not a finite number");
 }
 
+} // namespace
+
+std::string robot::why_too_large(const Model& model, std::size_t variable, double value) {
+    if (std::abs(value) <= largest_value)
+        return {};
+    const bool turns = chasles::is_angle(model, model.variables[variable].name);
+    return std::string(" is beyond 1000") + (turns ? " radians (57295.8 degrees)" : "") +
+           ", the largest value: " + way_to_smaller_values(model, variable);
+}
+
+namespace {
+
 void check_configuration(const robot::Model& model, const Configuration& values, const std::string& what) {
     check_numbers(model, values, what);
     for (Eigen::Index i = 0; i < values.size(); ++i)
-        if (std::abs(values[i]) > largest_value)
-            refuse(what, model.variables[std::size_t(i)].name +
-                             " is beyond 1000, the largest value: " + way_to_smaller_values(model, std::size_t(i)));
+        if (const std::string why = robot::why_too_large(model, std::size_t(i), values[i]); !why.empty())
+            refuse(what, model.variables[std::size_t(i)].name + why);
     for (const std::size_t first : model.quaternions)
         if (!(values.segment<4>(Eigen::Index(first)).norm() > 1e-6))
             refuse(what, model.variables[first].name + ": the quaternion is zero");

@@ -87,7 +87,8 @@ ConfigurationRows read_configurations(std::string_view text, const Robot& robot)
     const JointTable table = at_line(line, [&] { return JointTable(names, robot); });
     const JointColumns columns = at_line(line, [&] { return JointColumns(table.names, robot, JointUnits::by_name); });
     ConfigurationRows rows;
-    io::warn_of_ignored(columns.ignored(), line, "the robot has no variables of these names", rows.warnings);
+    for (const std::string& warning : columns.warnings("columns"))
+        rows.warnings.push_back("line " + std::to_string(line) + ": " + warning);
     while (const std::optional<io::TableRow> row = rows_of_text.next())
         at_line(row->line, [&] { read_configuration(*row, names, table, columns, rows); });
     if (rows.configurations.size() < 2)

@@ -68,10 +68,6 @@ struct Followed {
     double offset = 0;
 };
 
-bool has_one_variable(JointType type) {
-    return type == JointType::revolute || type == JointType::continuous || type == JointType::prismatic;
-}
-
 Followed followed(const RobotDescription& robot, const JointDescription& joint) {
     Followed f{&joint};
     for (std::size_t count = 0; f.joint->mimic; ++count) {
@@ -79,8 +75,8 @@ Followed followed(const RobotDescription& robot, const JointDescription& joint) 
         const auto next = std::ranges::find(robot.joints, mimic.joint, &JointDescription::name);
         if (next == robot.joints.end())
             refuse(f.joint->name, "mimic: there is no joint " + mimic.joint);
-        if (!has_one_variable(next->type))
-            refuse(f.joint->name, "mimic: " + mimic.joint + " has not one variable");
+        if (const std::string why = why_not_followed(next->type); !why.empty())
+            refuse(f.joint->name, "mimic: " + mimic.joint + why);
         if (count > robot.joints.size())
             refuse(joint.name, "mimic: follows itself");
         f.offset += f.multiplier * mimic.offset;
@@ -95,6 +91,19 @@ Followed followed(const RobotDescription& robot, const JointDescription& joint) 
 void refuse(std::string_view what, std::string_view why) {
     throw InvalidInput("robot: " + std::string(what) + ": " + std::string(why));
 }
+std::string why_not_followed(JointType type) {
+    switch (type) {
+    case JointType::fixed:
+        return " is fixed: it has no value that a joint can follow";
+    case JointType::planar:
+        return " is planar: it has several values, and a joint can follow only one";
+    case JointType::floating:
+        return " is floating: it has several values, and a joint can follow only one";
+    default:
+        return {};
+    }
+}
+
 
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();

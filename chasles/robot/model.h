@@ -105,6 +105,8 @@ public:
     /// From the world to a place in a group, and from a place in one group to one in another.
     [[nodiscard]] motion::Chain chain(const SegmentMotion& motion, std::size_t group,
                                       const motion::FixedPose& place) const;
+    /// Those of all links, in the order of the description.
+    [[nodiscard]] std::vector<Pose> link_poses(const SegmentMotion& motion, double time) const;
     void add_chain(motion::Chain& chain, const SegmentMotion& motion, std::size_t group,
                    const motion::FixedPose& place) const;
     [[nodiscard]] motion::Chain chain_between(const SegmentMotion& motion, const Element& from,
@@ -125,5 +127,11 @@ private:
 
 /// Throws InvalidInput "robot: WHAT: WHY".
 [[noreturn]] void refuse(std::string_view what, std::string_view why);
+
+/// Why no joint follows one of this type, for a message that begins with its name; empty if a joint may.
+std::string why_not_followed(JointType type);
+
+/// Why a value of a variable is refused, likewise; empty if it is not.
+std::string why_too_large(const Model& model, std::size_t variable, double value);
 
 } // namespace chasles::robot

@@ -56,11 +56,11 @@ fs::path without_first(const fs::path& path) {
 }
 
 /// By the given packages: their names may have several parts, of which the most count.
-std::optional<fs::path> given_place(const fs::path& path, const RobotFiles& files) {
+std::optional<FoundFile> given_place(const fs::path& path, const RobotFiles& files) {
     fs::path name = path.parent_path(), rest = path.filename();
     for (; !name.empty(); rest = name.filename() / rest, name = name.parent_path())
         if (const auto given = files.packages.find(name.generic_string()); given != files.packages.end())
-            return given->second / rest;
+            return FoundFile{given->second / rest, {}, given->first};
     return std::nullopt;
 }
 
@@ -68,7 +68,7 @@ std::optional<fs::path> given_place(const fs::path& path, const RobotFiles& file
 /// NAME, and at last where folders above lack the first parts of the path, for robots that were copied without them.
 std::vector<FoundFile> places(const fs::path& path, const fs::path& urdf, const RobotFiles& files) {
     if (const auto given = given_place(path, files))
-        return {{*given}};
+        return {*given};
     const std::vector<fs::path> folders = folders_above(urdf);
     const std::string name = path.begin()->string();
     std::vector<FoundFile> all;
@@ -169,15 +169,23 @@ FoundFile found_file(const std::string& uri, const fs::path& urdf, const RobotFi
              : "; say where the package is " + way_to_name_package(path_in_packages(decoded(uri)).begin()->string())));
 }
 
-void MissingPackages::add(const FoundFile& file, const std::string& place) {
+void PackageWarnings::add(const FoundFile& file, const std::string& place) {
+    used_.insert(file.given_package);
     if (file.missing_package.empty())
         return;
-    Taken& taken = packages_.try_emplace(file.missing_package, Taken{place, file.path, {}}).first->second;
+    Taken& taken = missing_.try_emplace(file.missing_package, Taken{place, file.path, {}}).first->second;
     taken.files.insert(file.path);
 }
 
-void MissingPackages::add_warnings(std::vector<std::string>& warnings) const {
-    for (const auto& [package, taken] : packages_) {
+void PackageWarnings::add_to(std::vector<std::string>& warnings, const RobotFiles& files) const {
+    std::error_code error;
+    for (const auto& [package, folder] : files.packages)
+        if (!used_.contains(package))
+            warnings.push_back("packages: no collision shape has a mesh of " + io::in_quotes(package) +
+                               (fs::is_directory(folder, error)
+                                    ? std::string()
+                                    : ", and there is no folder " + io::one_line(folder.string())));
+    for (const auto& [package, taken] : missing_) {
         const std::size_t more = taken.files.size() - 1;
         warnings.push_back(taken.place + "there is no package " + io::in_quotes(package) + ": took the file " +
                            io::one_line(taken.first.string()) +

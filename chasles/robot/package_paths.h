@@ -16,19 +16,20 @@ struct FoundFile {
     /// The name of a package that was not found: the file was found by the rest of its path, and may be of another
     /// package. Empty if there is no doubt.
     std::string missing_package = {};
+    std::string given_package = {}; ///< the name of RobotFiles::packages that led to the file; empty if none did
 };
 
 /// The file that a URI of a URDF file means: package://NAME/REST, file://PATH, or a path, which is relative to the URDF
 /// file. Throws InvalidInput with all places where the file was looked for.
 FoundFile found_file(const std::string& uri, const std::filesystem::path& urdf, const RobotFiles& files);
 
-/// Collects the packages that were not found. Robots that were copied without theirs have many meshes: each package
-/// makes one warning.
-class MissingPackages {
+/// Collects the packages that were not found, and those that were given and are not used. Robots that were copied
+/// without their packages have many meshes: each package makes one warning.
+class PackageWarnings {
 public:
     /// `place` is that of the element which names the file.
     void add(const FoundFile& file, const std::string& place);
-    void add_warnings(std::vector<std::string>& warnings) const;
+    void add_to(std::vector<std::string>& warnings, const RobotFiles& files) const;
 
 private:
     struct Taken {
@@ -36,7 +37,8 @@ private:
         std::filesystem::path first;
         std::set<std::filesystem::path> files;
     };
-    std::map<std::string, Taken> packages_; ///< by name
+    std::map<std::string, Taken> missing_; ///< by name
+    std::set<std::string> used_;           ///< names of packages that were given
 };
 
 /// How users say where a package is, for messages: by --packages NAME=FOLDER, or in Python.

@@ -102,11 +102,7 @@ Pose Robot::link_pose(std::string_view link, const Configuration& configuration)
 }
 
 std::vector<Pose> Robot::link_poses(const Configuration& configuration) const {
-    const robot::SegmentMotion motion = model_->motion_of(resting_segment(*this, configuration));
-    std::vector<Pose> poses;
-    for (std::size_t i = 0; i < model_->description.links.size(); ++i)
-        poses.push_back(model_->pose_of(motion, i, 0));
-    return poses;
+    return model_->link_poses(model_->motion_of(resting_segment(*this, configuration)), 0);
 }
 
 void Robot::set_base(const Pose& pose) {

@@ -9,6 +9,7 @@
 #include "chasles/io/text_scan.h"
 #include "chasles/motion/turn_about.h"
 #include "chasles/robot/added_radius.h"
+#include "chasles/robot/model.h"
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/primitive_shapes.h"
 #include "chasles/robot/shape_attributes.h"
@@ -63,7 +64,7 @@ private:
     std::map<MeshKey, Polyhedron> meshes_;                    ///< by file and scale
     PrimitiveShapes shapes_;
     std::vector<std::string> warnings_;
-    MissingPackages missing_packages_;
+    PackageWarnings package_warnings_;
 };
 
 Vector3d UrdfReader::vector(const XmlElement& element, const char* attribute) const {
@@ -155,7 +156,7 @@ EnclosingPolyhedron UrdfReader::round_body(const XmlElement& element) {
 /// A mirrored mesh has its faces the other way round.
 Polyhedron UrdfReader::mesh(const XmlElement& element) {
     const FoundFile found = found_file(file_.text(element, "filename"), file_.path(), files_);
-    missing_packages_.add(found, file_.place_of(element));
+    package_warnings_.add(found, file_.place_of(element));
     file_.require_no_misspelt_attribute(element, {"scale"});
     const Vector3d scale = element.Attribute("scale") ? vector(element, "scale") : Vector3d(Vector3d::Ones());
     const MeshKey key{found.path, {scale.x(), scale.y(), scale.z()}};
@@ -239,6 +240,8 @@ void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) 
         file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
                                                               : "has no <limit>");
     file_.require_no_misspelt_attribute(*given, {"lower", "upper"});
+    if (!given->Attribute("lower") && !given->Attribute("upper") && !file_.child(element, "mimic"))
+        warnings_.push_back(file_.place_of(*given) + "has no lower and no upper: both are 0, as URDF says");
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
     if (joint.lower <= joint.upper)
@@ -264,9 +267,8 @@ void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& rob
     std::set<std::string> chain{joint.name};
     for (const JointDescription* follower = &joint; follower->mimic && joints_.contains(follower->mimic->joint);) {
         follower = &*std::ranges::find(robot.joints, follower->mimic->joint, &JointDescription::name);
-        if (follower->type == JointType::fixed || follower->type == JointType::planar ||
-            follower->type == JointType::floating)
-            file_.fail(element, "mimic: " + io::in_quotes(follower->name) + " has not one variable");
+        if (const std::string why = why_not_followed(follower->type); !why.empty())
+            file_.fail(element, "mimic: " + io::in_quotes(follower->name) + why);
         if (!chain.insert(follower->name).second)
             file_.fail(element, "mimic: follows itself");
     }
@@ -326,7 +328,7 @@ RobotDescription UrdfReader::read() {
     for (JointDescription& joint : robot.joints)
         mend_mimic(joint, robot);
     check_one_root();
-    missing_packages_.add_warnings(warnings_);
+    package_warnings_.add_to(warnings_, files_);
     robot.warnings = std::move(warnings_);
     try {
         (void)Robot(robot);

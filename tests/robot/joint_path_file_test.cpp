@@ -35,6 +35,11 @@ Robot arm() {
                      {"mount", JointType::fixed}});
 }
 
+/// The warning about columns that are missing.
+std::string without(const std::string& variables) {
+    return "line 1: no values for '" + variables + "': they stay at their neutral values";
+}
+
 std::string refused(const std::string& text, const Robot& robot) {
     return message_of([&] { (void)read_configurations(text, robot); });
 }
@@ -98,7 +103,7 @@ TEST(JointPathFile, ReadsUnitsInBrackets) {
                                 arm());
         EXPECT_EQ(rows.configurations[0], Eigen::Vector3d(0.5, 0, 2)) << header;
         EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(1, 0, 3)) << header;
-        EXPECT_TRUE(rows.warnings.empty()) << header;
+        EXPECT_EQ(rows.warnings, (std::vector<std::string>{without("elbow")})) << header;
     }
     for (const char* const header : {"waist[deg]", "WAIST [Degrees]", "waist(deg)", "waist_deg[deg]", "waist_deg[]"})
         EXPECT_EQ(read_configurations(std::string(header) + "\n180\n90\n", arm()).configurations[0][0],
@@ -126,7 +131,7 @@ TEST(JointPathFile, ReadsStampsWithAUnit) {
                                    "Time_From_Start [s]", "stamp", "stamp[ns]", "header.stamp", "header/stamp"}) {
         const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
         EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << time;
-        EXPECT_TRUE(rows.warnings.empty()) << time;
+        EXPECT_EQ(rows.warnings, (std::vector<std::string>{without("elbow, slide")})) << time;
     }
 }
 
@@ -155,9 +160,9 @@ TEST(JointPathFile, LeavesNoColumnOfAJointOut) {
                       "' is no variable of the robot; it may be a misspelt 'slide', which has no column, or one to "
                       "leave out of the file");
     EXPECT_NE(refused("waist_rad,slide\n0,0\n1,1\n", arm()).find("misspelt 'waist'"), std::string::npos);
-    EXPECT_EQ(read_configurations("waist,waist_rad\n0,0\n1,1\n", arm()).warnings.size(), 1U) << "it has a column";
+    EXPECT_EQ(read_configurations("waist,waist_rad\n0,0\n1,1\n", arm()).warnings.size(), 2U) << "it has a column";
     for (const char* const name : {"slide_effort", "effort_slide", "wrist"})
-        EXPECT_EQ(read_configurations("waist," + std::string(name) + "\n0,0\n1,1\n", arm()).warnings.size(), 1U)
+        EXPECT_EQ(read_configurations("waist," + std::string(name) + "\n0,0\n1,1\n", arm()).warnings.size(), 2U)
             << name;
     const std::vector<std::string> names = {"waist", "slide[m]"};
     const Robot robot = arm();
@@ -168,8 +173,35 @@ TEST(JointPathFile, LeavesNoColumnOfAJointOut) {
 TEST(JointPathFile, NamesWhatItDoesNotRead) {
     const ConfigurationRows rows = read_configurations("effort,waist,mount,\nnone,0,x\n?,1,y\n", arm());
     EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(1, 0, 0));
-    ASSERT_EQ(rows.warnings.size(), 1U);
-    EXPECT_EQ(rows.warnings[0], "line 1: ignored columns: 'effort, mount'; the robot has no variables of these names");
+    EXPECT_EQ(rows.warnings,
+              (std::vector<std::string>{"line 1: ignored columns: 'mount', which is fixed",
+                                        "line 1: ignored columns: 'effort'; the robot has no variables of these names",
+                                        without("elbow, slide")}));
+}
+
+TEST(JointPathFile, NamesJointsThatHaveNoVariable) {
+    RobotDescription hand;
+    hand.links = {{"palm"}, {"left"}, {"right"}, {"ball"}};
+    hand.joints = {{.name = "left", .type = JointType::prismatic, .parent = "palm", .child = "left"},
+                   {.name = "right", .type = JointType::prismatic, .parent = "palm", .child = "right"},
+                   {.name = "ball", .type = JointType::floating, .parent = "palm", .child = "ball"}};
+    hand.joints[1].mimic = MimicDescription{"left"};
+    const std::vector<std::string> warnings =
+        read_configurations("left,right,ball\n0,0,0\n1,1,1\n", Robot(hand)).warnings;
+    ASSERT_EQ(warnings.size(), 3U);
+    EXPECT_EQ(warnings[0], "line 1: ignored columns: 'right', which follows 'left'");
+    EXPECT_EQ(warnings[1], "line 1: ignored columns: 'ball', which has several variables");
+}
+
+/// The line, the column and the number of the file, in its unit.
+TEST(JointPathFile, NamesValuesThatAreTooLarge) {
+    const std::string turns =
+        " is beyond 1000 radians (57295.8 degrees), the largest value: take whole turns off all its "
+        "values";
+    EXPECT_EQ(refused("waist,slide,elbow_deg\n0,0,1\n0,0,100000\n", arm()), "line 3: elbow_deg: 100000" + turns);
+    EXPECT_EQ(refused("waist,slide,elbow\n1001,0,1\n0,0,0\n", arm()), "line 2: waist: 1001" + turns);
+    EXPECT_EQ(refused("waist,slide,elbow\n0,-2000,1\n0,0,0\n", arm()),
+              "line 2: slide: -2000 is beyond 1000, the largest value: choose a larger unit of length");
 }
 
 /// Of two readings none is taken in silence.

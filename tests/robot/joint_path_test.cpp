@@ -100,17 +100,18 @@ TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
         return refusal([&] { (void)JointPath::straight(robot, std::array{far, far}); });
     };
     const std::string beyond = " is beyond 1000, the largest value: ",
-                      turns = "take whole turns (2 pi) off all its values";
-    EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + beyond + turns);
+                      turns = " is beyond 1000 radians (57295.8 degrees), the largest value: take whole turns off all "
+                              "its values";
+    EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + turns);
     EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
-              "path: configuration 0: spin" + beyond + turns +
+              "path: configuration 0: spin" + turns +
                   ", and add each turn times the multiplier to the offset of a joint that follows it");
     RobotDescription free{"free"};
     free.links = {{"base"}, {"cart"}, {"body"}};
     free.joints = {{"plane", JointType::planar, "base", "cart"}, {"float", JointType::floating, "cart", "body"}};
     const Robot robot(free);
-    EXPECT_EQ(refused(robot, 2), "path: configuration 0: plane/theta" + beyond + turns);
+    EXPECT_EQ(refused(robot, 2), "path: configuration 0: plane/theta" + turns);
     EXPECT_EQ(refused(robot, 0), "path: configuration 0: plane/x" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(robot, 6), "path: configuration 0: float/rot_x" + beyond + "give the quaternion the length 1");
     const Configuration largest = Configuration::Constant(3, 1000);
@@ -211,8 +212,9 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     bad[1] = std::nan("");
     EXPECT_EQ(straight({zero, zero, bad}), "path: configuration 2: spin is not a finite number");
     bad[1] = 1001;
-    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000, the largest value: take whole turns "
-                                     "(2 pi) off all its values");
+    EXPECT_EQ(straight({bad, zero}),
+              "path: configuration 0: spin is beyond 1000 radians (57295.8 degrees), the largest "
+              "value: take whole turns off all its values");
     const std::array way{zero, zero};
     const auto timed = [&](const std::vector<double>& times) {
         return refusal([&] { (void)JointPath::straight(robot, way, times); });
@@ -240,7 +242,7 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     EXPECT_EQ(polynomials({{1, 1, rows}}), "path: segment 0: must end later than it begins");
     EXPECT_EQ(polynomials({{0, 1, 501 * rows}}),
               "path: segment 0: the coefficients of turn sum up to more than 1000, the largest value: divide the "
-              "segment, or take whole turns (2 pi) off all its values");
+              "segment, or take whole turns off all its values");
 }
 
 } // namespace

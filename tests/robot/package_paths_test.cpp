@@ -82,5 +82,14 @@ TEST_F(PackagePaths, SayWhichPackageIsMissing) {
     EXPECT_EQ(missing("package://leg/new%20meshes/part.obj", {.packages = {{"leg", path("arm")}}}), "");
 }
 
+TEST_F(PackagePaths, SayWhichGivenPackageIsUsed) {
+    const RobotFiles files = {.packages = {{"leg", path("arm")}}};
+    const auto used = [&](const std::string& uri) {
+        return robot::found_file(uri, path("robot.urdf"), files).given_package;
+    };
+    EXPECT_EQ(used("package://leg/new%20meshes/part.obj"), "leg");
+    EXPECT_EQ(used("package://arm/new meshes/part.obj"), "");
+}
+
 } // namespace
 } // namespace chasles::tests

@@ -39,7 +39,13 @@ TEST_F(UrdfFile, AJointThatFollowsNoneIsFree) {
 <joint name="held" type="prismatic"><parent link="arm"/><child link="tool"/><limit lower="0" upper="1"/>
 <mimic joint="mount"/></joint>
 <link name="plate"/><joint name="mount" type="fixed"><parent link="tool"/><child link="plate"/></joint></robot>)"),
-              "robot.urdf:12: <joint held>: mimic: 'mount' has not one variable");
+              "robot.urdf:12: <joint held>: mimic: 'mount' is fixed: it has no value that a joint can follow");
+    EXPECT_EQ(refused("</robot>", R"(<link name="tool"/><link name="plate"/>
+<joint name="held" type="prismatic"><parent link="arm"/><child link="tool"/><limit lower="0" upper="1"/>
+<mimic joint="free"/></joint>
+<joint name="free" type="floating"><parent link="tool"/><child link="plate"/></joint></robot>)"),
+              "robot.urdf:12: <joint held>: mimic: 'free' is floating: it has several values, and a joint can follow "
+              "only one");
     EXPECT_EQ(refused("type=\"revolute\"", "type=\"floating\"><mimic joint=\"turn\"/"),
               "robot.urdf:7: <joint turn>: mimic: a joint with several variables cannot follow another one");
 }

@@ -131,6 +131,23 @@ TEST_F(RobotWarnings, AFileOfAMissingPackageIsNamed) {
     EXPECT_EQ(read("<box size=\"1 2 3\"/>", a, files).warnings, Texts());
 }
 
+TEST_F(RobotWarnings, AGivenPackageThatNoMeshIsOfIsNamed) {
+    const RobotFiles files = {.packages = {{"foo", "none"}, {"small", path("")}}};
+    EXPECT_EQ(read("", "", files).warnings,
+              Texts({"packages: no collision shape has a mesh of 'foo', and there is no folder none",
+                     "packages: no collision shape has a mesh of 'small'"}));
+}
+
+TEST_F(RobotWarnings, LimitsThatAreLeftOutLockAJoint) {
+    const std::string both = "lower=\"-1\" upper=\"2\"";
+    const RobotDescription robot = read(both, "");
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_EQ(without_folder(robot.warnings[0]),
+              "robot.urdf:9: <limit>: has no lower and no upper: both are 0, as URDF says");
+    EXPECT_EQ(robot.joints[0].upper, 0);
+    EXPECT_EQ(read(both, "upper=\"2\"").warnings, Texts()) << "a range from 0";
+}
+
 TEST_F(RobotWarnings, ConfigurationsBeyondLimitsAndInDegrees) {
     const auto about = [](const RobotDescription& robot, const std::vector<double>& values) {
         std::vector<Configuration> rows;
