@@ -28,15 +28,15 @@ void check_options(const QueryOptions& options) {
     check_options(options, options.margin);
 }
 
-void check_options(const QueryOptions& options, double largest_margin) {
+void check_options(const QueryOptions& options, double of_some_pair) {
     require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
     require(options.margin >= 0 && options.margin <= largest_margin, "margin", "must be in [0, 1e30]");
     if (options.hold) {
         require_hold(*options.hold);
-        if (!(*options.hold < largest_margin))
+        if (!(*options.hold < of_some_pair))
             throw InvalidInput(
                 "query: hold: " + number_text(*options.hold) + " is not less than the margin" +
-                (largest_margin > 0 ? ' ' + number_text(largest_margin) : ", which is 0 unless one is given"));
+                (of_some_pair > 0 ? ' ' + number_text(of_some_pair) : ", which is 0 unless one is given"));
     }
     require(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
 }

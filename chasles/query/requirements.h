@@ -19,8 +19,8 @@ void require_hold(double hold);
 
 /// Throws InvalidInput for an option out of its range.
 void check_options(const QueryOptions& options);
-/// Pairs of bodies may have margins of their own, up to the largest one.
-void check_options(const QueryOptions& options, double largest_margin);
+/// Pairs of bodies may have margins of their own: `of_some_pair` is the largest one.
+void check_options(const QueryOptions& options, double of_some_pair);
 void check_options(const LeastDistanceOptions& options);
 
 /// Why the motion is refused for these bodies; empty if it is not. An enclosed motion must not go farther than 1e10
