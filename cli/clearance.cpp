@@ -5,7 +5,7 @@
 #include "cli/report.h"
 #include "cli/warnings.h"
 #include "view/answer_json.h"
-#include "view/proven_verdict.h"
+#include "view/names.h"
 
 #include <memory>
 
@@ -29,8 +29,10 @@ void refuse_flag(CLI::App& command, const std::string& flag, const std::string& 
     command.add_flag_callback(flag, [flag, why] { throw CLI::ValidationError(flag, why); })->group("");
 }
 
-std::string json_text(const LeastDistance& found, const OneMotion& question) {
+std::string json_text(const LeastDistance& found, const OneMotion& question, ExitStatus status) {
     view::Json answer = view::answer_json(found, question.numbers);
+    if (status == is_unknown)
+        answer["verdict"] = view::name_of(Verdict::unknown);
     add_warnings(answer, question.bodies.warnings);
     return answer.dump() + "\n";
 }
@@ -45,11 +47,10 @@ int run_clearance(const ClearanceOptions& options) {
                                                 .options = {.tolerance = tolerance,
                                                             .time_tolerance = question.options.time_tolerance,
                                                             .find = question.options.find}});
-    print(options.json ? json_text(found, question) : report(found, question.numbers));
-    const Verdict verdict = view::proven_verdict(found);
-    if (verdict == Verdict::unknown && limit.is_over())
-        return is_unknown;
-    return verdict == Verdict::clear ? is_clear : is_contact;
+    const bool time_was_over = !found.certain && limit.is_over();
+    const ExitStatus status = status_of(found.distance, time_was_over);
+    print(options.json ? json_text(found, question, status) : report(found, question.numbers, time_was_over));
+    return status;
 }
 
 } // namespace

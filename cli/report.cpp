@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 namespace chasles::cli {
@@ -116,9 +117,10 @@ std::string report_contact_features(const FirstContact& found, double margin, co
            report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
-std::string report_nearest(const LeastDistance& found) {
+std::string report_nearest(const LeastDistance& found, bool time_was_over) {
     const bool is_apart = found.distance.upper > 0;
-    return report_certainty(found, "the bracket of the distance is wider than the tolerance") +
+    return report_certainty(found, std::string(time_was_over ? "the time was over, and " : "") +
+                                       "the bracket of the distance is wider than the tolerance") +
            report_features(found, is_apart ? "nearest" : "touching", is_apart);
 }
 
@@ -133,8 +135,24 @@ std::string proven_headline(const std::string& when, double margin, const std::o
     return fmt::format("UNKNOWN: the time was over; proven that nothing {} {}", what, when);
 }
 
+double least_gap(const std::vector<Contact>& contacts) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Contact& contact : contacts)
+        least = std::min(least, contact.gap);
+    return least;
+}
+
+/// The level of a held contact: bodies that start nearer than the hold distance are held where they start.
+std::string level_text(const FirstContact& found) {
+    constexpr double rounding = 1e-6; // the level is below the distance of the start by roundings
+    const double start = least_gap(found.held);
+    return least_gap(found.contacts) < start * (1 - rounding)
+               ? " at the hold distance,"
+               : fmt::format(" at the distance of the start, {:.9g},", start);
+}
+
 std::string verdict_text(const FirstContact& found, double margin, const std::optional<double>& hold) {
-    const std::string within = !found.held.empty() ? " at the hold distance,"
+    const std::string within = !found.held.empty() ? level_text(found)
                                : margin > 0        ? fmt::format(" within {:.9g}", margin)
                                                    : "";
     switch (found.verdict) {
@@ -154,7 +172,7 @@ std::string verdict_text(const FirstContact& found, double margin, const std::op
     return fmt::format("CONTACT{} AT THE START{}", within, more_than_touch(found));
 }
 
-std::string verdict_text(const LeastDistance& found) {
+std::string verdict_text(const LeastDistance& found, bool time_was_over) {
     switch (view::proven_verdict(found)) {
     case Verdict::clear:
         return fmt::format("CLEARANCE {:.9g} at time {}", found.distance.lower, time_text(found.time.lower));
@@ -165,8 +183,8 @@ std::string verdict_text(const LeastDistance& found) {
     case Verdict::unknown:
         break;
     }
-    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {}", found.distance.upper,
-                       time_text(found.time.lower));
+    return fmt::format("NO CLEARANCE PROVEN: {}at most {:.9g} at time {}", time_was_over ? "the time was over; " : "",
+                       found.distance.upper, time_text(found.time.lower));
 }
 
 } // namespace
@@ -204,13 +222,19 @@ ExitStatus status_of(Verdict verdict) {
     return is_contact;
 }
 
+ExitStatus status_of(const Bracket& least_distance, bool time_was_over) {
+    if (least_distance.lower > 0)
+        return is_clear;
+    return time_was_over && least_distance.upper > 0 ? is_unknown : is_contact;
+}
+
 std::string headline(const FirstContact& found, double margin, std::string_view motion,
                      const std::optional<double>& hold) {
     return naming_motion(verdict_text(found, margin, hold), motion);
 }
 
-std::string headline(const LeastDistance& found, std::string_view motion) {
-    return naming_motion(verdict_text(found), motion);
+std::string headline(const LeastDistance& found, std::string_view motion, bool time_was_over) {
+    return naming_motion(verdict_text(found, time_was_over), motion);
 }
 
 std::string naming_motion(const std::string& text, std::string_view motion) {
@@ -283,15 +307,15 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
            details(found, motion, options.margin, view::why_uncertain(found)) + way_out_line(found, options, bodies);
 }
 
-std::string report_least(const LeastDistance& found) {
+std::string report_least(const LeastDistance& found, bool time_was_over) {
     return labelled("distance", text_of(found.distance)) + labelled("time", text_of(found.time)) +
-           report_nearest(found);
+           report_nearest(found, time_was_over);
 }
 
-std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
-    return headline(found, view::name_of(motion.kind)) + motion_line(motion) +
-           labelled("distance", text_of(found.distance)) + report_time(found, motion) + report_nearest(found) +
-           report(found.work);
+std::string report(const LeastDistance& found, const view::MotionNumbers& motion, bool time_was_over) {
+    return headline(found, view::name_of(motion.kind), time_was_over) + motion_line(motion) +
+           labelled("distance", text_of(found.distance)) + report_time(found, motion) +
+           report_nearest(found, time_was_over) + report(found.work);
 }
 
 } // namespace chasles::cli

@@ -25,16 +25,17 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
 /// times of `found` may be stamps, which do not tell it.
 std::string report_contact(const FirstContact& found, double margin, const std::string& why_uncertain);
 
-/// The lines about the least distance: distance, time, certainty and features.
-std::string report_least(const LeastDistance& found);
+/// The lines about the least distance: distance, time, certainty and features. `time_was_over` here and below: before
+/// the bracket was as narrow as asked.
+std::string report_least(const LeastDistance& found, bool time_was_over);
 
 /// The answer of `clearance` in the same form. The first line has the proven lower end of the distance.
-std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
+std::string report(const LeastDistance& found, const view::MotionNumbers& motion, bool time_was_over);
 
 /// The two parts of report(): the verdict and the motion in one line, and the details.
 std::string headline(const FirstContact& found, double margin, std::string_view motion,
                      const std::optional<double>& hold = {});
-std::string headline(const LeastDistance& found, std::string_view motion);
+std::string headline(const LeastDistance& found, std::string_view motion, bool time_was_over);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
                     const std::string& why_uncertain);
 
@@ -76,6 +77,7 @@ std::string unknown_headline(const ProvenPath& proven, double margin, const std:
 
 /// The exit status for an answer.
 ExitStatus status_of(Verdict verdict);
+ExitStatus status_of(const Bracket& least_distance, bool time_was_over);
 
 /// The line of work counters.
 std::string report(const Work& work);

@@ -1,17 +1,15 @@
 // chasles robot: a robot along a path of configurations.
 #include "chasles/io/text_scan.h"
 #include "cli/commands.h"
-#include "cli/joint_trajectory.h"
-#include "cli/options.h"
 #include "cli/output.h"
+#include "cli/progress_bar.h"
 #include "cli/report.h"
-#include "cli/robot_changes.h"
-#include "cli/robot_options.h"
 #include "cli/robot_pairs.h"
-#include "cli/scene_file.h"
+#include "cli/robot_question.h"
 #include "cli/untested_text.h"
 #include "cli/warnings.h"
 #include "view/answer_json.h"
+#include "view/names.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
 #include "view/robot_record.h"
@@ -26,101 +24,6 @@ namespace chasles::cli {
 namespace {
 
 constexpr const char* motion_name = "straight in joint space";
-
-struct RobotCommand {
-    RobotOptions robot;
-    RobotChangeOptions changes;
-    std::string path; ///< empty: none
-    std::string scene;
-    std::string page;
-    QuestionOptions query;
-    bool finds_clearance = false;
-    double tolerance = LeastDistanceOptions().tolerance;
-    bool json = false;
-};
-
-struct RobotQuestion {
-    Robot robot;
-    robot::ConfigurationRows rows;
-    std::optional<SceneFile> scene;
-    QueryOptions options;
-    std::vector<std::string> warnings;
-    std::string path; ///< the name of the file of the rows
-
-    [[nodiscard]] bool has_stamps() const { return !rows.stamps.empty(); }
-    [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
-};
-
-/// The rows of a file. A robot without variables stays as it is if there is none.
-robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) {
-    if (!file.empty())
-        return load_joint_path(file, robot);
-    if (robot.variables().empty())
-        return {.configurations = {robot.neutral(), robot.neutral()}, .stamps = {}};
-    std::string names;
-    for (const RobotVariable& variable : robot.variables())
-        names += (names.empty() ? "" : ", ") + variable.name;
-    throw InvalidInput("--path: is needed for the " + counted(robot.variables().size(), "variable") +
-                       " of the robot: " + names);
-}
-
-/// The world. Its bodies are not tested against each other, and what a robot touches at the start is a contact.
-std::optional<SceneFile> read_scene(const RobotCommand& options) {
-    if (options.scene.empty())
-        return std::nullopt;
-    const std::optional<double> margin =
-        options.query.margin.empty() ? std::nullopt : std::optional(options_of(options.query).margin);
-    SceneFile scene =
-        load_scene(options.scene,
-                   {.triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.second}, margin);
-    if (scene.ignores_touching_at_start)
-        throw InvalidInput(io::one_line(options.scene) +
-                           ": ignore_touching_at_start: is not for robots; leave it out, and name what a robot may "
-                           "touch by --allow LINK,BODY");
-    return scene;
-}
-
-/// Margin and hold distance of the scene's file stand where the command line has none.
-QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile>& scene) {
-    QuestionOptions question = options.query;
-    if (options.query.margin.empty())
-        question.margin = "0";
-    QueryOptions query = options_of(question);
-    if (scene && options.query.margin.empty())
-        query.margin = scene->margin;
-    if (scene && options.query.hold.empty())
-        query.hold = scene->hold;
-    return query;
-}
-
-/// What a scene's file says that has no effect on a clearance.
-void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::vector<std::string>& warnings) {
-    const std::string has_no_effect = " has no effect on a clearance";
-    if (options.finds_clearance && scene.margin > 0)
-        warnings.push_back(io::one_line(options.scene) + ": margin" + has_no_effect);
-    if (options.finds_clearance && scene.hold)
-        warnings.push_back(io::one_line(options.scene) + ": hold" + has_no_effect);
-}
-
-RobotQuestion read_question(const RobotCommand& options) {
-    (void)query_of(options, std::nullopt); // what is wrong with an option comes first
-    Robot robot = load_robot(options.robot);
-    std::optional<SceneFile> scene = read_scene(options);
-    const QueryOptions query = query_of(options, scene);
-    std::vector<std::string> warnings = robot.warnings();
-    const PolyhedronOptions attached{
-        .triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.first};
-    change(robot, scene ? &scene->scene : nullptr, options.changes, attached, warnings);
-    robot::ConfigurationRows rows = read_path(robot, options.path);
-    if (scene) {
-        warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
-        warn_of_margins(options, *scene, warnings);
-    }
-    warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
-    for (std::string& warning : robot.warnings_about(rows.configurations))
-        warnings.push_back("path: " + std::move(warning));
-    return {std::move(robot), std::move(rows), std::move(scene), query, std::move(warnings), options.path};
-}
 
 /// Empty for a robot without variables.
 std::string joints_line(const Robot& robot, const Configuration& values) {
@@ -173,7 +76,7 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     return text + joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 
-std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
+std::string robot_report(const RobotQuestion& question, const RobotClearance& found, bool time_was_over) {
     if (!found.pair)
         return naming_motion(found.certain ? "CLEARANCE WITHOUT A LIMIT: no two bodies are tested"
                                            : "NO CLEARANCE PROVEN: the time was over before two bodies were searched",
@@ -182,8 +85,9 @@ std::string robot_report(const RobotQuestion& question, const RobotClearance& fo
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown, motion_name) + report(*found.untested) + report_pair(*found.pair, found.segment) +
-           report_least(shown) + joints_line(question.robot, found.configuration) + report_path(question, found);
+    return headline(shown, motion_name, time_was_over) + report(*found.untested) +
+           report_pair(*found.pair, found.segment) + report_least(shown, time_was_over) +
+           joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 
 /// CLEAR would say nothing.
@@ -206,20 +110,17 @@ std::string answer_json(const RobotQuestion& question, const RobotAnswer& found,
     return with_motion(std::move(answer), question);
 }
 
+std::string clearance_json(const RobotQuestion& question, const RobotClearance& found, ExitStatus status) {
+    view::Json answer = view::robot_clearance_json(question.robot, found, question.has_stamps());
+    if (status == is_unknown)
+        answer["verdict"] = view::name_of(Verdict::unknown);
+    return with_motion(std::move(answer), question);
+}
+
 /// Speeds become lengths per unit of the stamps.
 void count_in_stamps(std::vector<Contact>& contacts, const JointPath::Segment& segment) {
     for (Contact& contact : contacts)
         contact.approach_speed /= segment.end - segment.begin;
-}
-
-JointPath path_of(const RobotQuestion& question) {
-    const robot::ConfigurationRows& rows = question.rows;
-    try {
-        return question.has_stamps() ? JointPath::straight(question.robot, rows.configurations, rows.stamps)
-                                     : JointPath::straight(question.robot, rows.configurations);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(io::one_line(question.path) + ": " + error.what());
-    }
 }
 
 /// What a question refuses of motions gets the names of the files that say how bodies move.
@@ -248,13 +149,11 @@ int run_clearance(const RobotCommand& options) {
     warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
-    print(options.json ? with_motion(view::robot_clearance_json(question.robot, found, question.has_stamps()), question)
-                       : robot_report(question, found));
+    const bool time_was_over = !found.certain && limit.is_over();
+    const ExitStatus status = status_of(found.distance, time_was_over);
+    print(options.json ? clearance_json(question, found, status) : robot_report(question, found, time_was_over));
     print_warnings(question.warnings);
-    const bool is_open = found.distance.lower == 0 && found.distance.upper > 0;
-    if (is_open && limit.is_over())
-        return is_unknown;
-    return found.distance.lower > 0 ? is_clear : is_contact;
+    return status;
 }
 
 /// An error about a hold distance of the scene's file names the file.
@@ -266,6 +165,21 @@ RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& questi
             throw;
         throw InvalidInput(io::one_line(options.scene) + ": " + error.what());
     }
+}
+
+/// After the verdict: the page of a long path takes longer than the answer.
+void write_page(OutputFile& page, const RobotCommand& options, const RobotQuestion& question, const JointPath& path,
+                const RobotAnswer& found) {
+    std::optional<ProgressBar> bar(std::in_place, "segments of the page", found.segment + 1);
+    view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found,
+                                                  [&](std::size_t segments) { bar->show(segments); });
+    bar.reset();
+    record.margin = question.options.margin;
+    record.title = std::filesystem::path(options.robot.urdf).filename().string();
+    page.write(view::scene_page(record));
+    page.close();
+    if (!options.json)
+        print(page_lines(options.page, shapes_of(record.bodies)));
 }
 
 int run_robot(const RobotCommand& options) {
@@ -281,19 +195,12 @@ int run_robot(const RobotCommand& options) {
     RobotAnswer found = of_files(options, [&] { return checker.first_contact(path); });
     const std::vector<RobotPair> others = others_at_start(checker, path, found);
     warn_if_untested(*found.untested, question.warnings);
-    std::string of_page; ///< the lines about it
-    if (page && found.verdict != Verdict::unknown) {
-        view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
-        record.margin = question.options.margin;
-        record.title = std::filesystem::path(options.robot.urdf).filename().string();
-        page->write(view::scene_page(record));
-        page->close();
-        of_page = page_lines(options.page, shapes_of(record.bodies));
-    }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? answer_json(question, found, others) : robot_report(question, found, others) + of_page);
+    print(options.json ? answer_json(question, found, others) : robot_report(question, found, others));
     print_warnings(question.warnings);
+    if (page && found.verdict != Verdict::unknown)
+        write_page(*page, options, question, path, found);
     return status_of(found.verdict);
 }
 

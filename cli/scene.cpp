@@ -112,6 +112,7 @@ public:
         view::require_page_template();
         file_.emplace(options.page);
     }
+    /// After the verdict: the page of many bodies may take longer than the answer.
     void write(const Scene& scene, const SceneAnswer& answer, const SceneQuery& query) {
         if (!file_ || answer.verdict == Verdict::unknown)
             return;
@@ -123,6 +124,8 @@ public:
             options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
         file_->write(view::scene_page(record));
         file_->close();
+        if (!options_.json)
+            print(page_lines(options_.page, shapes_of(scene.bodies())));
     }
 
 private:
@@ -138,9 +141,7 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
         add_warnings(json, file.warnings);
         return json.dump() + "\n";
     }
-    const std::string text = options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
-    const bool has_page = !options.page.empty() && answer.verdict != Verdict::unknown;
-    return text + (has_page ? page_lines(options.page, shapes_of(file.scene.bodies())) : "");
+    return options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
 }
 
 /// An error names the file, unless it is about an option.
@@ -179,9 +180,9 @@ int run_scene(const SceneOptions& options) {
     bar.reset();
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
-    page.write(file.scene, answer, query);
     print(report_of(options, file, answer, query));
     print_warnings(file.warnings);
+    page.write(file.scene, answer, query);
     return status_of(answer.verdict);
 }
 

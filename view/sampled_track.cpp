@@ -2,15 +2,18 @@
 #include "view/sampled_track.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <set>
+#include <span>
 
 namespace chasles::view {
 namespace {
 
-/// Parts of an interval, in the order of the test. Most motions that deviate do so in the middle. The other parts are
-/// multiples of the golden ratio: no number of full turns puts a body in the interpolated pose at all of them.
-constexpr double probed_parts[] = {1 / 2.,   0.618034, 0.236068, 0.854102, 0.472136, 0.090170,
-                                   0.708204, 0.326238, 0.944272, 0.562306, 0.180340};
+/// Parts of an interval that are probed after its middle, where most motions deviate. They are multiples of the golden
+/// ratio: no number of full turns puts a body in the interpolated pose at all of them.
+constexpr std::array other_probed_parts = {0.618034, 0.236068, 0.854102, 0.472136, 0.090170,
+                                           0.708204, 0.326238, 0.944272, 0.562306, 0.180340};
 constexpr int most_halvings = 13; ///< of an interval between two exact times
 constexpr int probes_of_way = 32;
 constexpr double deviation_over_diagonal = 1e-3; ///< a third of a pixel where the body fills a third of a screen
@@ -39,44 +42,103 @@ Eigen::Isometry3d interpolated(const Pose& from, const Pose& to, double part) {
     return pose;
 }
 
+struct PosesAtTime {
+    double time = 0;
+    std::vector<Pose> poses = {};
+};
+
+using Indices = std::vector<std::size_t>; ///< of bodies
+
 class Sampler {
 public:
-    Sampler(const Motion& motion, const Eigen::AlignedBox3d& box) : motion_(motion), corners_(corners_of(box)) {
-        Eigen::AlignedBox3d way;
-        for (int i = 0; i <= probes_of_way; ++i)
-            way.extend(motion.pose_at(static_cast<double>(i) / probes_of_way).translation);
-        tolerance_ = deviation_over_diagonal * box.diagonal().norm() + deviation_over_way * way.diagonal().norm();
-    }
-
-    [[nodiscard]] TimedPose at(double time) const { return {time, motion_.pose_at(time)}; }
-
-    /// Adds poses after `from`, up to and including `to`.
-    void add(const TimedPose& from, const TimedPose& to, int halvings, std::vector<TimedPose>& samples) const {
-        if (halvings > 0 && deviates(from, to)) {
-            const TimedPose middle = at((from.time + to.time) / 2);
-            add(from, middle, halvings - 1, samples);
-            add(middle, to, halvings - 1, samples);
-        } else {
-            samples.push_back(to);
+    Sampler(const PosedBodies& bodies, double begin, double end)
+        : bodies_(bodies), other_parts_(std::span(other_probed_parts).first(bodies.are_smooth_between_stops ? 2 : 10)),
+          samples_(bodies.boxes.size()) {
+        std::vector<Eigen::AlignedBox3d> ways(bodies.boxes.size());
+        for (int i = 0; i <= probes_of_way; ++i) {
+            const PosesAtTime there = at(std::lerp(begin, end, static_cast<double>(i) / probes_of_way));
+            for (std::size_t body = 0; body < ways.size(); ++body)
+                ways[body].extend(there.poses[body].translation);
+        }
+        for (std::size_t body = 0; body < ways.size(); ++body) {
+            corners_.push_back(corners_of(bodies.boxes[body]));
+            tolerances_.push_back(deviation_over_diagonal * bodies.boxes[body].diagonal().norm() +
+                                  deviation_over_way * ways[body].diagonal().norm());
         }
     }
 
-private:
-    [[nodiscard]] bool deviates(const TimedPose& from, const TimedPose& to) const {
-        return turn_between(from.pose, to.pose) > largest_turn_of_step || probes_deviate(from, to);
-    }
-    [[nodiscard]] bool probes_deviate(const TimedPose& from, const TimedPose& to) const {
-        return std::ranges::any_of(probed_parts, [&](double part) {
-            const Eigen::Isometry3d there = at((1 - part) * from.time + part * to.time).pose.isometry();
-            const Corners off = there * corners_ - interpolated(from.pose, to.pose, part) * corners_;
-            return !(off.colwise().norm().maxCoeff() <= tolerance_);
-        });
+    [[nodiscard]] PosesAtTime at(double time) const { return {time, bodies_.poses_at(time)}; }
+
+    /// Adds poses after `from`, up to and including `to`. Only bodies that deviate get poses between them.
+    void add(const PosesAtTime& from, const PosesAtTime& to, int halvings, const Indices& bodies) {
+        const double half = std::midpoint(from.time, to.time);
+        Indices deviating;
+        PosesAtTime middle;
+        if (halvings > 0 && from.time < half && half < to.time) {
+            middle = at(half);
+            deviating = deviating_between(from, middle, to, bodies);
+        }
+        for (const std::size_t body : bodies)
+            if (!std::ranges::binary_search(deviating, body))
+                samples_[body].push_back({to.time, to.poses[body]});
+        if (deviating.empty())
+            return;
+        add(from, middle, halvings - 1, deviating);
+        add(middle, to, halvings - 1, deviating);
     }
 
-    const Motion& motion_;
-    Corners corners_;
-    double tolerance_ = 0;
+    /// All samples of each body.
+    [[nodiscard]] const std::vector<std::vector<TimedPose>>& samples() const { return samples_; }
+
+private:
+    /// In ascending order.
+    [[nodiscard]] Indices deviating_between(const PosesAtTime& from, const PosesAtTime& middle, const PosesAtTime& to,
+                                            Indices bodies) const {
+        Indices deviating;
+        const auto take = [&](const auto& deviates) {
+            const auto taken = std::ranges::partition(bodies, [&](std::size_t body) { return !deviates(body); });
+            deviating.insert(deviating.end(), taken.begin(), taken.end());
+            bodies.erase(taken.begin(), bodies.end());
+        };
+        const auto probe = [&](double part, const PosesAtTime& there) {
+            take([&](std::size_t body) {
+                const Eigen::Isometry3d shown = interpolated(from.poses[body], to.poses[body], part);
+                const Corners off = there.poses[body].isometry() * corners_[body] - shown * corners_[body];
+                return !(off.colwise().norm().maxCoeff() <= tolerances_[body]);
+            });
+        };
+        take([&](std::size_t body) { return turn_between(from.poses[body], to.poses[body]) > largest_turn_of_step; });
+        probe(0.5, middle);
+        for (const double part : other_parts_)
+            if (!bodies.empty())
+                probe(part, at(std::lerp(from.time, to.time, part)));
+        std::ranges::sort(deviating);
+        return deviating;
+    }
+
+    const PosedBodies& bodies_;
+    std::span<const double> other_parts_;
+    std::vector<Corners> corners_;
+    std::vector<double> tolerances_;
+    std::vector<std::vector<TimedPose>> samples_;
 };
+
+/// Between equal poses a page needs no others.
+SampledTrack track_of(const std::vector<TimedPose>& samples) {
+    std::vector<Pose> poses;
+    for (const TimedPose& sample : samples)
+        poses.push_back(sample.pose);
+    const std::vector<PoseRow> rows = pose_rows(poses);
+    if (std::ranges::all_of(rows, [&](const PoseRow& row) { return row == rows.front(); }))
+        return {{}, {rows.front()}};
+    SampledTrack track;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (i == 0 || i + 1 == rows.size() || rows[i] != rows[i - 1] || rows[i] != rows[i + 1]) {
+            track.times.push_back(samples[i].time);
+            track.poses.push_back(rows[i]);
+        }
+    return track;
+}
 
 } // namespace
 
@@ -87,24 +149,32 @@ Eigen::AlignedBox3d box_around(const Polyhedron& shape) {
     return box;
 }
 
+std::vector<SampledTrack> sampled_tracks(const PosedBodies& bodies, const std::vector<double>& stops,
+                                         const std::function<void(std::size_t)>& progress) {
+    Sampler sampler(bodies, stops.front(), stops.back());
+    Indices all(bodies.boxes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    PosesAtTime last = sampler.at(stops.front());
+    sampler.add(last, last, 0, all);
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+        PosesAtTime next = sampler.at(stops[i]);
+        sampler.add(last, next, most_halvings, all);
+        last = std::move(next);
+        if (progress)
+            progress(i);
+    }
+    std::vector<SampledTrack> tracks;
+    for (const std::vector<TimedPose>& samples : sampler.samples())
+        tracks.push_back(track_of(samples));
+    return tracks;
+}
+
 SampledTrack sampled_track(const Motion& motion, const Eigen::AlignedBox3d& box,
                            const std::vector<double>& exact_times) {
     std::set<double> stops(exact_times.begin(), exact_times.end());
     stops.insert({0, 1});
-    const Sampler sampler(motion, box);
-    std::vector<TimedPose> samples{sampler.at(0)};
-    for (auto stop = std::next(stops.begin()); stop != stops.end(); ++stop)
-        sampler.add(TimedPose(samples.back()), sampler.at(*stop), most_halvings, samples);
-    std::vector<Pose> poses;
-    SampledTrack track;
-    for (const TimedPose& sample : samples) {
-        track.times.push_back(sample.time);
-        poses.push_back(sample.pose);
-    }
-    track.poses = pose_rows(poses);
-    if (std::ranges::all_of(track.poses, [&](const PoseRow& row) { return row == track.poses.front(); }))
-        return {{}, {track.poses.front()}};
-    return track;
+    const auto poses_at = [&](double time) { return std::vector{motion.pose_at(time)}; };
+    return sampled_tracks({poses_at, {box}}, {stops.begin(), stops.end()}).front();
 }
 
 } // namespace chasles::view

@@ -1,20 +1,34 @@
-// The motion of one body of a scene as poses at times of its own: few where linear interpolation is enough.
+// The motions of bodies as poses at times of their own: few where linear interpolation is enough.
 #pragma once
 
 #include "view/sampled_poses.h"
 
+#include <functional>
+
 namespace chasles::view {
 
-/// Poses at ascending times from 0 to 1; one pose without a time if the body rests.
+/// Poses at ascending times; one pose without a time if the body rests.
 struct SampledTrack {
     std::vector<double> times;
     std::vector<PoseRow> poses;
 };
 
-/// Samples a motion until linear interpolation between neighbours looks like the motion: the corners of the body's box
+/// Bodies whose poses are computed together, such as the links of a robot.
+struct PosedBodies {
+    std::function<std::vector<Pose>(double time)> poses_at;
+    std::vector<Eigen::AlignedBox3d> boxes; ///< around the bodies, in their own frames
+    bool are_smooth_between_stops = false;  ///< then three probes test a step, and otherwise eleven
+};
+
+/// Samples motions until linear interpolation between neighbours looks like each of them: the corners of the body's box
 /// deviate by at most a thousandth of its diagonal plus 1e-5 of the way, and no step turns by more than
-/// `largest_turn_of_step`. Probes test this. The steps do not get shorter than 2^-13 of the time between two exact
-/// times. `exact_times`, in [0, 1] and in any order, are among the times.
+/// `largest_turn_of_step`. Probes test this. The steps do not get shorter than 2^-13 of the time between two stops. The
+/// stops ascend; the first and the last one are the ends. Stops between equal poses are left out.
+/// `progress` gets the number of intervals between stops that are done.
+std::vector<SampledTrack> sampled_tracks(const PosedBodies& bodies, const std::vector<double>& stops,
+                                         const std::function<void(std::size_t)>& progress = {});
+
+/// The track of one motion from 0 to 1. `exact_times`, in [0, 1] and in any order, are stops.
 SampledTrack sampled_track(const Motion& motion, const Eigen::AlignedBox3d& box,
                            const std::vector<double>& exact_times);
 

@@ -60,9 +60,31 @@ TEST_F(Seconds, AnswersSayWhatIsProven) {
         EXPECT_LT(answer["clear_until"].get<double>(), 1);
     }
     EXPECT_EQ(Json::parse(stopped("scene scene.json --all --json").out)["verdict"], "unknown");
-    const Json bracket = Json::parse(stopped("clearance " + bodies + motion + " --json").out);
-    EXPECT_EQ(bracket["distance"], 0);
-    EXPECT_GE(bracket["distance_upper"].get<double>(), 1e-9);
+}
+
+/// A bracket that the limit has cut says so.
+TEST_F(Seconds, ClearancesSayThatTheTimeWasOver) {
+    write("sheets.urdf", R"(<robot name="sheets"><link name="world"/>
+        <link name="upper"><collision><origin xyz="0 0.1 1e-9"/><geometry><mesh filename="sheet.obj"/></geometry></collision></link>
+        <joint name="turn" type="revolute"><parent link="world"/><child link="upper"/><axis xyz="0 0 1"/>
+        <limit lower="-9" upper="9"/></joint></robot>)");
+    write("floor.json", R"({"bodies": [{"name": "lower", "mesh": "sheet.obj"}]})");
+    write("turn.csv", "turn\n0\n1\n");
+    for (const std::string& question :
+         {"clearance " + bodies + motion,
+          std::string("robot sheets.urdf --clearance --path turn.csv --scene floor.json")}) {
+        const Json bracket = Json::parse(stopped(question + " --json").out);
+        EXPECT_EQ(bracket["verdict"], "unknown");
+        EXPECT_EQ(bracket["distance"], 0);
+        EXPECT_GE(bracket["distance_upper"].get<double>(), 1e-9);
+        const std::string text = stopped(question).out;
+        EXPECT_TRUE(text.starts_with("NO CLEARANCE PROVEN: the time was over; at most ")) << text;
+        EXPECT_NE(text.find("certain   no: the time was over, and the bracket of the distance is wider"),
+                  std::string::npos)
+            << text;
+    }
+    EXPECT_FALSE(Json::parse(run("clearance cube.obj cube.obj --start 3,0,0 --goal 2,0,0 --json --seconds 100").out)
+                     .contains("verdict"));
 }
 
 /// What comes before the segment that takes too long is proven.

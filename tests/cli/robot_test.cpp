@@ -144,6 +144,34 @@ TEST_F(RobotCommand, FindsTheClearance) {
 }
 
 TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
+/// The page of a long path takes longer than its answer.
+TEST_F(RobotCommand, TheAnswerComesBeforeThePage) {
+    const std::string question = "robot arm.urdf --path timed.csv --scene cell.json ";
+    const tests::Finished plain = run(question), paged = run(question + "--page page.html");
+    if (paged.err.find("this build has no viewer") != std::string::npos)
+        GTEST_SKIP() << paged.err;
+    EXPECT_EQ(paged.out, plain.out + "  page      page.html\n");
+    EXPECT_EQ(run(question + "--json --page page.html").out, run(question + "--json").out);
+    for (const std::string format : {"", "--json "}) {
+        const tests::Finished full = run(question + format + "--page /dev/full");
+        EXPECT_EQ(full.status, 2);
+        EXPECT_EQ(full.out, run(question + format).out);
+        EXPECT_NE(full.err.find("/dev/full"), std::string::npos) << full.err;
+    }
+}
+
+TEST_F(RobotCommand, NamesTheDistanceOfAHeldContact) {
+    write("lift.urdf", R"(<robot name="lift"><link name="post"/><link name="box"><collision>
+        <origin xyz="0 0 0.52"/><geometry><box size="0.5 0.5 0.5"/></geometry></collision></link>
+        <joint name="lift" type="prismatic"><parent link="post"/><child link="box"/><axis xyz="0 0 1"/>
+        <limit lower="-9" upper="9"/></joint></robot>)");
+    write("floor.json", R"({"bodies": [{"name": "floor", "mesh": "cube.obj", "pose": [-0.5, -0.5, -0.75]}]})");
+    write("down.csv", "lift\n0\n-0.1\n");
+    const std::string question = "robot lift.urdf --path down.csv --scene floor.json --margin 0.05 --hold ";
+    EXPECT_TRUE(run(question + "0.01").out.starts_with("CONTACT at the hold distance, at time 0."));
+    EXPECT_TRUE(run(question + "0.03").out.starts_with("CONTACT at the distance of the start, 0.02, at time "));
+}
+
     write("arm.srdf", R"(<robot name="arm"><group name="all"><joint name="elbow"/></group>
         <disable_collisions link1="base" link2="lower" reason="Never"/></robot>)");
     const Json answer = json("acm arm.urdf");

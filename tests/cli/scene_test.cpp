@@ -130,8 +130,9 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
               std::string::npos);
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
-    EXPECT_EQ(error_line("scene scene.json --hold 0.1"),
-              "chasles: query: hold: must be less than some margin; the margin is 0 unless one is given");
+    EXPECT_EQ(error_line("scene scene.json --margin 1 --hold 2"),
+              "chasles: query: hold: 2 is not less than the margin 1");
+    EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: 0.1 is not less than the margin 0.1");
 }
 
 TEST_F(SceneCommand, WhatTouchesATableExactlyIsAContactAtTheStart) {
@@ -224,6 +225,9 @@ TEST_F(SceneCommand, WritesAPageToo) {
     (void)run("scene scene.json --all --until 0.5 --page limited.html");
     EXPECT_NE(content("limited.html").find(R"("until":0.5)"), std::string::npos);
     EXPECT_EQ(Json::parse(run("scene scene.json --json --page first.html").out), json(""));
+    const tests::Finished full = run("scene scene.json --all --page /dev/full");
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.out, plain.out) << "the answer comes before the page";
     EXPECT_NE(content("first.html").find(R"("source":"first_contact")"), std::string::npos);
     EXPECT_NE(content("first.html").find(R"("title":"scene.json")"), std::string::npos);
     EXPECT_TRUE(error_line("scene scene.json --page no/page.html").starts_with("chasles: no/page.html"));

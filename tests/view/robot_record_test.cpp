@@ -54,7 +54,7 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
             const view::SceneRecord record =
                 view::robot_record(robot, nullptr, turning(robot, angle), answer_of(Verdict::clear));
             ASSERT_EQ(record.bodies.size(), 2U);
-            EXPECT_GE(double(record.times.size()), angle * std::max(1.0, std::abs(1 + factor)) / 1.6);
+            EXPECT_GE(double(record.bodies[1].times.size()), angle * std::abs(1 + factor) / 1.6);
             for (const view::RecordedBody& body : record.bodies)
                 EXPECT_LE(largest_step(body.poses), 1.6) << turns << " " << factor << " " << body.name;
         }
@@ -68,6 +68,58 @@ TEST(RobotRecord, IsAnAnswer) {
     const view::SceneRecord record = view::robot_record(robot, nullptr, turning(robot, 0.1), answer);
     EXPECT_EQ(record.source, view::RecordSource::first_contact);
     EXPECT_EQ(record.clear_until, 1);
+}
+
+/// The pose that a page shows: a linear step and a slerp.
+Eigen::Isometry3d shown_at(const view::RecordedBody& body, double time) {
+    const auto pose_of = [](const view::PoseRow& row) {
+        return Pose({row[0], row[1], row[2]}, {row[3], row[4], row[5], row[6]});
+    };
+    if (body.poses.size() == 1)
+        return pose_of(body.poses[0]).isometry();
+    std::size_t i = 0;
+    while (i + 2 < body.times.size() && body.times[i + 1] <= time)
+        ++i;
+    const double part = (time - body.times[i]) / (body.times[i + 1] - body.times[i]);
+    const Pose from = pose_of(body.poses[i]), to = pose_of(body.poses[i + 1]);
+    Eigen::Isometry3d shown(Eigen::Quaterniond(from.rotation).slerp(part, Eigen::Quaterniond(to.rotation)));
+    shown.translation() = (1 - part) * from.translation + part * to.translation;
+    return shown;
+}
+
+/// A path of many rows: what rests has one pose, what moves in a straight line or turns a little has one for each row,
+/// and what turns far has as many as the rule asks for.
+TEST(RobotRecord, LinksHaveAsManyPosesAsTheyNeed) {
+    RobotDescription description = shaft_with_wheel(0);
+    description.links.push_back({"tool", {{test::box({0.5, 0.4, 0.3}).polyhedron(), test::shifted(0, 3, 0)}}});
+    description.joints[1] = {.name = "b", .type = JointType::prismatic, .parent = "shaft", .child = "wheel"};
+    description.joints.push_back({.name = "c", .type = JointType::continuous, .parent = "base", .child = "tool"});
+    const Robot robot(description);
+    constexpr int rows = 500;
+    std::vector<Configuration> way;
+    for (int i = 0; i <= rows; ++i)
+        way.emplace_back(Eigen::Vector3d(0, 0.01 * i, i < rows ? 0.002 * i : 0.002 * i + 1));
+    const JointPath path = JointPath::straight(robot, way);
+    const view::SceneRecord record = view::robot_record(robot, nullptr, path, answer_of(Verdict::clear));
+    EXPECT_NO_THROW(view::require_valid(record));
+    EXPECT_EQ(record.bodies[0].poses.size(), 1U) << "the shaft rests";
+    EXPECT_EQ(record.bodies[1].poses.size(), rows + 1U) << "the wheel slides";
+    EXPECT_GT(record.bodies[2].poses.size(), rows + 10U) << "the tool turns far in the last segment";
+    EXPECT_LT(record.bodies[2].poses.size(), rows + 100U);
+    const Eigen::AlignedBox3d box(Eigen::Vector3d(-0.5, -0.4, -0.3), Eigen::Vector3d(0.5, 0.4, 0.3));
+    for (int i = 0; i <= 7919; ++i) {
+        const double time = rows * (i / 7919.);
+        const std::vector<Pose> links = robot.link_poses(path.at(time));
+        for (std::size_t body = 0; body < 3; ++body) {
+            const Pose place = description.links[body + 1].collisions[0].origin;
+            const Eigen::Isometry3d there = links[body + 1].isometry() * place.isometry(),
+                                    shown = shown_at(record.bodies[body], time);
+            for (int k = 0; k < 8; ++k) {
+                const Eigen::Vector3d corner = box.corner(Eigen::AlignedBox3d::CornerType(k));
+                EXPECT_LE((there * corner - shown * corner).norm(), 1.2e-3 * box.diagonal().norm() + 6e-5) << time;
+            }
+        }
+    }
 }
 
 TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {

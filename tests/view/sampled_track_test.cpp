@@ -88,6 +88,35 @@ TEST(SampledTrack, NoStepTurnsByMoreThanAQuarterTurn) {
     }
 }
 
+TEST(SampledTrack, LeavesOutStopsBetweenEqualPoses) {
+    const Motion motion = TimedPoses::through({0, 0.25, 0.5, 0.75, 1},
+                                              {test::shifted(0, 0, 0), test::shifted(0, 0, 0), test::shifted(0, 0, 0),
+                                               test::shifted(0, 0, 0), test::shifted(1, 0, 0)});
+    EXPECT_EQ(view::sampled_track(motion, unit_box, {0.25, 0.5, 0.75}).times, (std::vector<double>{0, 0.75, 1}));
+}
+
+/// Each body gets the poses that it needs, as if it were alone.
+TEST(SampledTrack, BodiesThatArePosedTogetherHaveTracksOfTheirOwn) {
+    const std::vector<Motion> motions{Motion::hinge({1, 0, 0}, {1, 2, 3}, {0, 7}),
+                                      Motion::at_rest(test::shifted(1, 2, 3)),
+                                      Motion::velocity(test::shifted(3, 0, 0), test::shifted(0, 1, 0))};
+    const auto poses_at = [&](double time) {
+        std::vector<Pose> poses;
+        for (const Motion& motion : motions)
+            poses.push_back(motion.pose_at(time));
+        return poses;
+    };
+    std::vector<std::size_t> done;
+    const std::vector<view::SampledTrack> tracks = view::sampled_tracks(
+        {poses_at, std::vector(3, unit_box)}, {0, 0.5, 1}, [&](std::size_t intervals) { done.push_back(intervals); });
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const view::SampledTrack alone = view::sampled_track(motions[i], unit_box, {0.5});
+        EXPECT_EQ(tracks[i].times, alone.times);
+        EXPECT_EQ(tracks[i].poses, alone.poses);
+    }
+    EXPECT_EQ(done, (std::vector<std::size_t>{1, 2}));
+}
+
 TEST(SampledTrack, HoldsTheExactTimesInOrder) {
     const Motion motion = Motion::velocity(test::shifted(3, 0, 0), test::shifted(0, 1, 0));
     const view::SampledTrack track = view::sampled_track(motion, unit_box, {0.7, 0.3, 0.7, 0});

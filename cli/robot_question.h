@@ -1,0 +1,46 @@
+// The question of chasles robot: the robot, the world and the path, as options and files name them.
+#pragma once
+
+#include "chasles/robot/joint_path_file.h"
+#include "cli/options.h"
+#include "cli/robot_changes.h"
+#include "cli/robot_options.h"
+#include "cli/scene_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chasles::cli {
+
+struct RobotCommand {
+    RobotOptions robot;
+    RobotChangeOptions changes;
+    std::string path; ///< empty: none
+    std::string scene;
+    std::string page;
+    QuestionOptions query;
+    bool finds_clearance = false;
+    double tolerance = LeastDistanceOptions().tolerance;
+    bool json = false;
+};
+
+struct RobotQuestion {
+    Robot robot;
+    robot::ConfigurationRows rows;
+    std::optional<SceneFile> scene;
+    QueryOptions options;
+    std::vector<std::string> warnings;
+    std::string path; ///< the name of the file of the rows
+
+    [[nodiscard]] bool has_stamps() const { return !rows.stamps.empty(); }
+    [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
+};
+
+/// Reads all files. What is wrong with an option is refused first.
+RobotQuestion read_question(const RobotCommand& options);
+
+/// The rows as a path. An error names their file.
+JointPath path_of(const RobotQuestion& question);
+
+} // namespace chasles::cli
