@@ -310,13 +310,3 @@ def test_packages_that_are_not_used_make_a_warning(tmp_path):
     (tmp_path / "arm.urdf").write_text(ARM)
     robot = chasles.Robot.load(tmp_path / "arm.urdf", packages={"foo": "/none"})
     assert robot.warnings == ["packages: no collision shape has a mesh of 'foo', and there is no folder /none"]
-
-
-def test_a_limit_says_what_a_robot_does_not_know(arm, world):
-    checker = chasles.RobotChecker(arm, world)
-    with chasles.Limit(1e-9):
-        for ask in (lambda: checker.is_clear([0, 0], [1, 0]), lambda: checker.pairs_in_contact([0, 0])):
-            with pytest.raises(chasles.Cancelled, match="a limit was reached before the answer"):
-                ask()
-        text = repr(checker.least_distance([0, 0], [1, 0]))
-        assert "unknown: the limit was reached" in text or "(uncertain: the bracket is wider" in text
