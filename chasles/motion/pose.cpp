@@ -90,6 +90,25 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     return rotation;
 }
 
+/// The quaternion of a rotation, of a length between 2 and 4: without a root, quarter turns are exact.
+Eigen::Quaterniond quaternion_of(const Eigen::Matrix3d& r) {
+    int i = 0; // the axis that turns least
+    if (r(1, 1) > r(0, 0))
+        i = 1;
+    if (r(2, 2) > r(i, i))
+        i = 2;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double others = r(j, j) + r(k, k), w = 1 + (r(i, i) + others), along = 1 + (r(i, i) - others);
+    if (w >= along)
+        return {w, r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)};
+    Eigen::Quaterniond q;
+    q.w() = r(k, j) - r(j, k);
+    q.coeffs()[i] = along;
+    q.coeffs()[j] = r(j, i) + r(i, j);
+    q.coeffs()[k] = r(k, i) + r(i, k);
+    return q;
+}
+
 } // namespace
 
 bool motion::is_ordinary(const Pose& pose) {
@@ -116,7 +135,7 @@ Pose Pose::from_matrix(const Eigen::Matrix4d& matrix) {
                                ? "pose: matrix: the last row is not 0 0 0 1, but the last column is: transpose it"
                                : "pose: matrix: the last row is not 0 0 0 1");
     const Eigen::Matrix3d rotation = nearest_rotation(matrix.topLeftCorner<3, 3>());
-    return Pose(matrix.topRightCorner<3, 1>(), Eigen::Quaterniond(rotation));
+    return Pose(matrix.topRightCorner<3, 1>(), quaternion_of(rotation));
 }
 
 Eigen::Isometry3d Pose::isometry() const {

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -18,12 +19,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Chains are followed recursively.
 constexpr std::size_t longest_chain = 1000;
 
-/// Turns the z axis to a unit vector, on the shortest way; to the opposite of the z axis about the x axis.
-Eigen::Quaterniond turn_from_z(const Eigen::Vector3d& unit) {
+/// The x and the y axis, turned as the shortest way turns the z axis to a unit vector; to the opposite of the z axis
+/// about the x axis. Exact if the vector is an axis.
+std::array<Eigen::Vector3d, 2> axes_across(const Eigen::Vector3d& unit) {
     constexpr double rounding = 1e-12;
-    if (1 + unit.z() < rounding)
-        return {0, 1, 0, 0};
-    return Eigen::Quaterniond(1 + unit.z(), -unit.y(), unit.x(), 0).normalized();
+    const double x = unit.x(), y = unit.y(), sum = 1 + unit.z();
+    if (sum < rounding)
+        return {Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY()};
+    return {Eigen::Vector3d(1 - x * x / sum, -x * y / sum, -x), Eigen::Vector3d(-x * y / sum, 1 - y * y / sum, -y)};
 }
 
 template <class Map>
@@ -88,9 +91,6 @@ Followed followed(const RobotDescription& robot, const JointDescription& joint) 
 
 } // namespace
 
-void refuse(std::string_view what, std::string_view why) {
-    throw InvalidInput("robot: " + std::string(what) + ": " + std::string(why));
-}
 std::string why_not_followed(JointType type) {
     switch (type) {
     case JointType::fixed:
@@ -104,6 +104,9 @@ std::string why_not_followed(JointType type) {
     }
 }
 
+void refuse(std::string_view what, std::string_view why) {
+    throw InvalidInput("robot: " + std::string(what) + ": " + std::string(why));
+}
 
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
@@ -170,10 +173,10 @@ RigidGroup Model::group_of(const JointDescription& joint) const {
         group.steps.push_back({FixedAxis(axis), variable, multiplier, offset, turns});
     };
     if (joint.type == JointType::planar) {
-        const Eigen::Quaterniond plane = turn_from_z(joint.axis.stableNormalized());
+        const auto [x, y] = axes_across(joint.axis.stableNormalized());
         const std::size_t first = variable_of.at(joint.name + "/x");
-        add(plane * Eigen::Vector3d::UnitX(), false, first);
-        add(plane * Eigen::Vector3d::UnitY(), false, first + 1);
+        add(x, false, first);
+        add(y, false, first + 1);
         add(joint.axis, true, first + 2);
     } else if (joint.type == JointType::floating) {
         const std::size_t first = variable_of.at(joint.name + "/trans_x");

@@ -107,6 +107,23 @@ TEST(Pose, MatrixGivesRotationAndTranslation) {
     EXPECT_TRUE((pose.isometry() * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(3, 5, 5), 1e-15));
 }
 
+/// All 24 turns that carry axes to axes.
+TEST(Pose, MatrixOfQuarterTurnsIsExact) {
+    int turns = 0;
+    for (int code = 0; code < 6 * 6 * 6; ++code) {
+        Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+        for (int column = 0, left = code; column < 3; ++column, left /= 6)
+            matrix.block<3, 1>(0, column) = Eigen::Vector3d::Unit(left % 6 / 2) * (left % 2 == 0 ? 1 : -1);
+        if (matrix.determinant() != 1)
+            continue;
+        ++turns;
+        const Pose pose = Pose::from_matrix(matrix);
+        EXPECT_EQ(pose.isometry().matrix(), matrix) << matrix;
+        EXPECT_EQ(pose.rotation.coeffs(), pose.rotation.coeffs().array().round().matrix()) << matrix;
+    }
+    EXPECT_EQ(turns, 24);
+}
+
 TEST(Pose, MatrixOfSixDigitsIsProjectedToARotation) {
     const Eigen::Matrix3d truth = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
     Eigen::Matrix4d printed = Eigen::Matrix4d::Identity();
