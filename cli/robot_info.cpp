@@ -32,17 +32,6 @@ std::size_t faces_of(const LinkDescription& link) {
     return faces;
 }
 
-std::vector<std::pair<std::string, std::string>> tested_pairs(const Robot& robot) {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    const std::vector<LinkDescription>& links = robot.description().links;
-    for (std::size_t i = 0; i < links.size(); ++i)
-        for (std::size_t k = i + 1; k < links.size(); ++k)
-            if (!links[i].collisions.empty() && !links[k].collisions.empty() &&
-                robot.is_tested(links[i].name, links[k].name))
-                pairs.emplace_back(links[i].name, links[k].name);
-    return pairs;
-}
-
 view::Json joint_json(const Robot& robot, const JointDescription& joint) {
     view::Json json{{"name", joint.name},
                     {"type", view::name_of(joint.type)},
@@ -71,7 +60,7 @@ view::Json robot_json(const Robot& robot) {
         json["groups"].push_back({{"name", group.name}, {"joints", group.joints}, {"links", group.links}});
     for (const StateDescription& state : robot.description().states)
         json["states"].push_back({{"name", state.name}, {"group", state.group}});
-    json["tested"] = tested_pairs(robot);
+    json["tested"] = robot.tested_pairs();
     json["untested"] = view::untested_json(RobotChecker(robot).untested());
     json["warnings"] = robot.warnings();
     return json;
@@ -115,7 +104,7 @@ std::string robot_text(const std::string& file, const Robot& robot) {
     for (const StateDescription& state : description.states)
         text += labelled("state", state.name + (state.group.empty() ? "" : " of " + state.group));
     std::string pairs;
-    for (const auto& [first, second] : tested_pairs(robot))
+    for (const auto& [first, second] : robot.tested_pairs())
         pairs += (pairs.empty() ? ": " : ", ") + first + " and " + second;
     const UntestedPairs untested = RobotChecker(robot).untested();
     return text + labelled("tested", counted(untested.tested, "pair") + pairs) + report(untested);

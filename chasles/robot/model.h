@@ -93,6 +93,9 @@ public:
     /// Throws InvalidInput for an unknown name.
     [[nodiscard]] std::size_t owner(std::string_view name) const;
     [[nodiscard]] OwnerPair owners_of(std::string_view a, std::string_view b) const;
+    [[nodiscard]] bool is_tested(const OwnerPair& pair) const {
+        return owners[pair.first].group != owners[pair.second].group && !ignored.contains(pair);
+    }
 
     [[nodiscard]] SegmentMotion motion_of(const JointPath::Segment& segment) const;
     /// The name of its owner, and its index there.
@@ -102,11 +105,11 @@ public:
 
     /// The pose of a link or part in the world at a time of the segment.
     [[nodiscard]] Pose pose_of(const SegmentMotion& motion, std::size_t owner, double time) const;
+    /// Those of all links, in the order of the description.
+    [[nodiscard]] std::vector<Pose> link_poses(const SegmentMotion& motion, double time) const;
     /// From the world to a place in a group, and from a place in one group to one in another.
     [[nodiscard]] motion::Chain chain(const SegmentMotion& motion, std::size_t group,
                                       const motion::FixedPose& place) const;
-    /// Those of all links, in the order of the description.
-    [[nodiscard]] std::vector<Pose> link_poses(const SegmentMotion& motion, double time) const;
     void add_chain(motion::Chain& chain, const SegmentMotion& motion, std::size_t group,
                    const motion::FixedPose& place) const;
     [[nodiscard]] motion::Chain chain_between(const SegmentMotion& motion, const Element& from,
@@ -125,13 +128,13 @@ private:
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
 };
 
-/// Throws InvalidInput "robot: WHAT: WHY".
-[[noreturn]] void refuse(std::string_view what, std::string_view why);
-
 /// Why no joint follows one of this type, for a message that begins with its name; empty if a joint may.
 std::string why_not_followed(JointType type);
 
 /// Why a value of a variable is refused, likewise; empty if it is not.
 std::string why_too_large(const Model& model, std::size_t variable, double value);
+
+/// Throws InvalidInput "robot: WHAT: WHY".
+[[noreturn]] void refuse(std::string_view what, std::string_view why);
 
 } // namespace chasles::robot

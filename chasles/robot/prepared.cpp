@@ -80,7 +80,7 @@ void RobotChecker::Prepared::add_self_pairs() {
         for (std::size_t j = i + 1; j < m.elements.size(); ++j) {
             const Element &a = m.elements[i], &b = m.elements[j];
             const auto owners = std::minmax(a.owner, b.owner);
-            if (a.group == b.group || m.ignored.contains(owners))
+            if (!m.is_tested(owners))
                 continue;
             const auto margin = m.margins.find(owners);
             const bool second_moves = m.groups[b.group].depth >= m.groups[a.group].depth;

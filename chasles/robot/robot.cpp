@@ -135,8 +135,19 @@ void Robot::test(std::string_view first, std::string_view second) {
 }
 
 bool Robot::is_tested(std::string_view first, std::string_view second) const {
-    const auto [a, b] = model_->owners_of(first, second);
-    return model_->owners[a].group != model_->owners[b].group && !model_->ignored.contains({a, b});
+    return model_->is_tested(model_->owners_of(first, second));
+}
+
+std::vector<std::pair<std::string, std::string>> Robot::tested_pairs() const {
+    std::vector<bool> have_shapes(model_->owners.size());
+    for (const robot::Element& element : model_->elements)
+        have_shapes[element.owner] = true;
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (std::size_t a = 0; a < have_shapes.size(); ++a)
+        for (std::size_t b = a + 1; b < have_shapes.size() && have_shapes[a]; ++b)
+            if (have_shapes[b] && model_->is_tested({a, b}))
+                pairs.emplace_back(model_->owners[a].name, model_->owners[b].name);
+    return pairs;
 }
 
 void Robot::ignore_in_scene(std::string_view link, std::string_view body) {

@@ -133,6 +133,9 @@ public:
     /// unknown name.
     void test(std::string_view first, std::string_view second);
     [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;
+    /// The names of all links and parts with shapes that are tested against each other, in the order of the
+    /// description.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> tested_pairs() const;
     /// A link or part is not tested against this body of a scene, which need not exist yet. Throws InvalidInput for an
     /// unknown link.
     void ignore_in_scene(std::string_view link, std::string_view body);

@@ -49,9 +49,9 @@ void RobotUntestedCount::visit(std::size_t a, std::size_t b) {
     if (!have_shapes_[a] || !have_shapes_[b])
         ++found_.counts[std::size_t(UntestedReason::no_shapes)];
     else if (first.group == second.group)
-        found_.add({first.name, second.name, UntestedReason::at_rest});
+        found_.add(first.name, second.name, UntestedReason::at_rest);
     else if (model_.ignored.contains({a, b}))
-        found_.add({first.name, second.name, reason_of({a, b})});
+        found_.add(first.name, second.name, reason_of({a, b}));
     else
         ++found_.tested;
 }
@@ -65,7 +65,7 @@ void RobotUntestedCount::add_scene() {
         if (!have_shapes_[owner])
             continue;
         --found_.tested;
-        found_.add({model_.owners[owner].name, prepared_.bodies[body].name, UntestedReason::ignored, true});
+        found_.add(model_.owners[owner].name, prepared_.bodies[body].name, UntestedReason::ignored, true);
     }
 }
 

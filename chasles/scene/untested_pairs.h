@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chasles {
@@ -41,9 +42,9 @@ struct UntestedPairs {
     [[nodiscard]] std::size_t count(UntestedReason reason) const { return counts[std::size_t(reason)]; }
     [[nodiscard]] std::size_t total() const { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }
     /// Counts a pair, and names it if there is room.
-    void add(UntestedPair pair) {
-        if (++counts[std::size_t(pair.reason)] <= most_named)
-            named.push_back(std::move(pair));
+    void add(std::string_view first, std::string_view second, UntestedReason reason, bool is_with_scene = false) {
+        if (++counts[std::size_t(reason)] <= most_named)
+            named.push_back({std::string(first), std::string(second), reason, is_with_scene});
     }
 };
 

@@ -281,6 +281,8 @@ void bind_robot(nb::module_& module) {
             "is_tested",
             [](const PythonRobot& r, const std::string& a, const std::string& b) { return r.is_tested(a, b); },
             "first"_a, "second"_a, "Whether two links or parts are tested against each other.")
+        .def(
+            "tested_pairs", [](const PythonRobot& r) { return r.tested_pairs(); }, doc("Robot.tested_pairs"))
         .def("ignore_in_scene", of_pair(&Robot::ignore_in_scene), "link"_a, "body"_a, doc("Robot.ignore_in_scene"))
         .def(
             "set_margin",

@@ -248,8 +248,8 @@ ROBOT_CHANGES = {
 }
 ROBOT_READS = {
     "collisions", "continuous", "first_contact", "first_contact_on_path", "is_tested", "least_distance", "limits",
-    "link_pose", "link_poses", "links", "load", "name", "neutral", "prove_pairs", "shape", "state", "variables",
-    "warnings", "warnings_about",
+    "link_pose", "link_poses", "links", "load", "name", "neutral", "prove_pairs", "shape", "state",
+    "tested_pairs", "variables", "warnings", "warnings_about",
 }  # fmt: skip
 
 

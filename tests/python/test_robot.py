@@ -38,6 +38,9 @@ def test_a_robot_has_names_limits_and_poses(arm):
     np.testing.assert_allclose(arm.link_pose("lower", [np.pi / 2, 0])[:3, 3], [0, 1, 0], atol=1e-15)
     assert arm.link_poses([0, 0])["lower"][0, 3] == 1
     assert not arm.is_tested("upper", "lower")
+    assert arm.tested_pairs() == []
+    arm.test("upper", "lower")
+    assert arm.tested_pairs() == [("upper", "lower")]
     assert "arm, 3 links, 2 variables" in repr(arm)
 
 

@@ -39,6 +39,7 @@ TEST(RobotUntested, EachPairIsTestedOrCountedOnce) {
         const RobotChecker checker(robot, &world);
         const UntestedPairs& untested = checker.untested();
         std::size_t tested = 0, rigid = 0, bare = 0;
+        std::set<std::set<std::string>> pairs;
         std::vector<std::pair<std::string, bool>> owners{{"part", true}};
         for (const LinkDescription& link : description.links)
             owners.emplace_back(link.name, !link.collisions.empty());
@@ -47,11 +48,15 @@ TEST(RobotUntested, EachPairIsTestedOrCountedOnce) {
                 const auto link_of = [&](std::size_t i) { return i == 0 ? last : owners[i].first; };
                 if (!owners[a].second || !owners[b].second)
                     ++bare;
-                else if (robot.is_tested(owners[a].first, owners[b].first))
+                else if (robot.is_tested(owners[a].first, owners[b].first)) {
                     ++tested;
-                else
+                    pairs.insert({owners[a].first, owners[b].first});
+                } else
                     rigid += link_of(a) == link_of(b) || is_rigid(robot, link_of(a), link_of(b), random);
             }
+        EXPECT_EQ(robot.tested_pairs().size(), pairs.size());
+        for (const auto& [first, second] : robot.tested_pairs())
+            EXPECT_TRUE(pairs.contains({first, second})) << first << ", " << second;
         for (const auto& [owner, has_shapes] : owners)
             for (const SceneBody& body : world.bodies()) {
                 bare += has_shapes ? 0 : 1;
