@@ -60,7 +60,8 @@ std::string solid_text(const MeshReport& mesh, Solid solid) {
     if (mesh.solid_parts == 0)
         return "no: " + (mesh.unpaired_edges > 0 ? why : "no face has an area");
     if (mesh.solid_parts == mesh.parts)
-        return "yes, " + volume + (mesh.closed ? "" : ", closed up to rounding") +
+        return (mesh.volume < 0 ? "no: turned inwards, " : "yes, ") + volume +
+               (mesh.closed ? "" : ", closed up to rounding") +
                (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
     return fmt::format("{} of {} connected parts, {}; {}", mesh.solid_parts, mesh.parts, volume, why);
 }

@@ -97,6 +97,10 @@ void add_volume(BodyParts& parts, std::span<const UnpairedEdge> unpaired, Solid 
     parts.report.solid_parts = parts.volume.solid_parts;
     parts.report.unpaired_edges = parts.volume.unpaired_edges;
     parts.report.volume = signed_volume(surface, parts.volume);
+    if (solid == Solid::yes && parts.report.volume < 0)
+        throw InvalidInput(
+            "mesh: solid: the surface is turned inwards, so it encloses a room and nothing in it is solid; "
+            "reverse the corners of its faces, or leave solid at automatic");
 }
 
 /// The counts of faces and edges.

@@ -7,7 +7,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string>
 
 namespace chasles {
@@ -40,12 +42,31 @@ bool contains(const Cap& cap, const Vector3d& normal) {
     return cap.middle.dot(normal) >= cap.cosine - on_rim;
 }
 
-/// The normals of the faces around vertices. Those with equal coordinates, and those of a seam, have the same.
+/// Faces that are much narrower than long, and narrower than the distance, as between points of a circle that all but
+/// lie on a line. Their normals mean little.
+bool is_narrow(const Body& body, std::uint32_t face, double distance) {
+    constexpr double of_length = 0.01;
+    const std::span<const std::uint32_t> outline = body.face(face);
+    const auto corner = [&](std::size_t i) -> const Vector3d& { return body.vertices()[outline[i]]; };
+    Vector3d area = Vector3d::Zero();
+    double length = 0;
+    for (std::size_t i = 1; i < outline.size(); ++i) {
+        length = std::max(length, (corner(i) - corner(0)).norm());
+        if (i > 1)
+            area += (corner(i - 1) - corner(0)).cross(corner(i) - corner(0));
+    }
+    return area.norm() < std::min(distance, of_length * length) * length;
+}
+
+/// The normals of the faces around vertices, but for narrow ones. Those with equal coordinates, and those of a seam,
+/// have the same.
 class Normals {
 public:
-    explicit Normals(const Body& body) : body_(body), first_equal_(first_equal_vertices(body.vertices())) {
-        for (std::uint32_t face = 0; face < body.face_count(); ++face)
+    Normals(const Body& body, double distance) : body_(body), first_equal_(first_equal_vertices(body.vertices())) {
+        for (std::uint32_t face = 0; face < body.face_count(); ++face) {
             of_face_.push_back(face_normal(body, face));
+            is_narrow_.push_back(is_narrow(body, face, distance));
+        }
         for (const auto& [from, to] : body.volume().joined)
             joined_.emplace(to, from);
     }
@@ -60,16 +81,49 @@ public:
         return normals;
     }
 
+    /// Whether a face is narrow and no side of a thin wall: the faces beside it, and beside the narrow ones that it
+    /// hangs together with, look to one side.
+    [[nodiscard]] bool is_sliver(std::uint32_t face) const {
+        constexpr double one_side = 0.2;
+        if (!is_narrow_[face])
+            return false;
+        std::vector<Vector3d> normals;
+        std::set<std::uint32_t> narrow{face};
+        for (std::vector<std::uint32_t> left{face}; !left.empty();) {
+            const std::uint32_t next = left.back();
+            left.pop_back();
+            for (const std::uint32_t other : faces_beside(next))
+                if (!is_narrow_[other])
+                    normals.push_back(of_face_[other].unit);
+                else if (narrow.insert(other).second)
+                    left.push_back(other);
+        }
+        return normals.empty() || smallest_cap(normals).cosine > one_side;
+    }
+
 private:
     void add_around(std::uint32_t vertex, std::vector<Vector3d>& normals) const {
         for (const std::uint32_t face : body_.faces_around(vertex))
-            if (of_face_[face].has_plane())
+            if (of_face_[face].has_plane() && !is_narrow_[face])
                 normals.push_back(of_face_[face].unit);
+    }
+
+    /// Those with two corners of a face.
+    [[nodiscard]] std::vector<std::uint32_t> faces_beside(std::uint32_t face) const {
+        std::vector<std::uint32_t> around, beside;
+        for (const std::uint32_t corner : body_.face(face))
+            std::ranges::copy(body_.faces_around(corner), std::back_inserter(around));
+        std::ranges::sort(around);
+        for (std::size_t i = 1; i < around.size(); ++i)
+            if (around[i] == around[i - 1] && around[i] != face)
+                beside.push_back(around[i]);
+        return beside;
     }
 
     const Body& body_;
     std::vector<std::uint32_t> first_equal_;
     std::vector<FaceNormal> of_face_;
+    std::vector<bool> is_narrow_;                        ///< of each face
     std::multimap<std::uint32_t, std::uint32_t> joined_; ///< from the place of a seam to its other vertices
 };
 
@@ -113,12 +167,14 @@ bool is_turned(std::span<const std::uint32_t> outline, std::span<const Vector3d>
     return false;
 }
 
-void require_turned_alike(const Body& body, std::span<const Vector3d> moved, double distance) {
+/// A sliver may turn over: it stays within the distance of the faces around it.
+void require_turned_alike(const Body& body, const Normals& normals, std::span<const Vector3d> moved, double distance) {
     for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face)))
-            throw InvalidInput("mesh: radius: " + number_text(-distance) + " turns face " +
-                               std::to_string(body.source_face(face)) +
-                               " over, because the body is too thin there; a radius nearer to 0 may do");
+        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face)) && !normals.is_sliver(face))
+            throw InvalidInput(
+                "mesh: radius: " + number_text(-distance) + " turns face " + std::to_string(body.source_face(face)) +
+                " over: the body is too thin there, or the face too small; a radius nearer to 0, or a mesh "
+                "without such faces, may do");
     }
 }
 
@@ -156,12 +212,12 @@ Cap smallest_cap(std::span<const Vector3d> given) {
 
 std::vector<Vector3d> moved_inwards(const Body& body, double distance) {
     require_closed(body, distance);
-    const Normals normals(body);
+    const Normals normals(body, distance);
     std::vector<Vector3d> moved(body.vertices().begin(), body.vertices().end());
     for (std::size_t vertex = 0; vertex < moved.size(); ++vertex)
         if (const std::vector<Vector3d> around = normals.around(vertex); !around.empty())
             moved[vertex] += shift_against(around, distance);
-    require_turned_alike(body, moved, distance);
+    require_turned_alike(body, normals, moved, distance);
     return moved;
 }
 

@@ -142,10 +142,35 @@ TEST(MovedInwards, RefusesWhatHasNoInsideOrNoRoom) {
     Soup turned = cube();
     std::ranges::reverse(turned.faces[3]);
     EXPECT_NE(refusal([&] { (void)with(turned, -0.1); }), "accepted");
-    EXPECT_EQ(refusal([&] { (void)with(cube(), -0.6); }),
-              "mesh: radius: -0.6 turns face 0 over, because the body is too thin there; a radius nearer to 0 may do");
+    EXPECT_EQ(
+        refusal([&] { (void)with(cube(), -0.6); }),
+        "mesh: radius: -0.6 turns face 0 over: the body is too thin there, or the face too small; a radius nearer to "
+        "0, or a mesh without such faces, may do");
     EXPECT_EQ(refusal([&] { (void)with(cube(), std::nan("")); }), "mesh: radius: nan must be in [-1e30, 1e30]");
     EXPECT_EQ(refusal([&] { (void)with(cube(), 2e30); }), "mesh: radius: 2e+30 must be in [-1e30, 1e30]");
+}
+
+/// An L whose ends are polygons, or cut into triangles of which one is thinner than the overlap. A plate that is thin
+/// itself has no room.
+TEST(MovedInwards, SliversInFlatFacesMayTurnOver) {
+    Soup bracket;
+    for (const double height : {0.0, 5.0})
+        for (const auto& [x, y] :
+             {std::pair(0.0, 0.0), {8.0, 0.0}, {8.0, 4.001}, {4.001, 4.001}, {4.001, 8.0}, {0.0, 8.0}})
+            bracket.vertices.emplace_back(x, y, height);
+    for (std::uint32_t i = 0; i < 6; ++i)
+        bracket.faces.push_back({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
+    Soup cut = bracket;
+    bracket.faces.insert(bracket.faces.end(), {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}});
+    cut.faces.insert(cut.faces.end(),
+                     {{5, 1, 0}, {6, 7, 11}, {5, 3, 1}, {7, 9, 11}, {3, 2, 1}, {7, 8, 9}, {5, 4, 3}, {9, 10, 11}});
+    for (const double radius : {-0.002, -0.1, -1.0})
+        for (std::size_t i = 0; i < 12; ++i)
+            EXPECT_TRUE(with(cut, radius).vertices()[i].isApprox(with(bracket, radius).vertices()[i], 1e-12)) << radius;
+    Soup plate = cut;
+    for (Vector3d& vertex : plate.vertices)
+        vertex.z() *= 0.0002;
+    EXPECT_NE(refusal([&] { (void)with(plate, -0.002); }), "accepted");
 }
 
 /// A vertex in the middle of an edge, joined to the face beyond by a face without area.
