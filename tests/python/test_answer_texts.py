@@ -55,7 +55,7 @@ def test_an_uncertain_answer_says_why(accelerations, cube):
     scene.add("part", cube, motion=motion)
     scene.add("post", cube)
     for found in (chasles.first_contact(cube, cube, motion=motion), scene.first_contact(), *scene.all_contacts()):
-        assert not found.certain and "(uncertain: the bodies may miss each other by a rounding error)" in repr(found)
+        assert not found.certain and "(uncertain: a rounding error decides whether the features named here meet; they are " in repr(found)
 
 
 CART = """<robot name="cart"><link name="base"/>
@@ -71,13 +71,13 @@ def test_an_uncertain_answer_in_stamps_says_why(cube, tmp_path):
     scene.add("wall", cube, [0.5000000001, -0.5, -0.5, 1, 0, 0, 0])
     for times in (None, [10, 18]):
         found = robot.first_contact_on_path([[0], [8]], times, scene=scene)
-        assert not found.certain and "(uncertain: the bodies may miss each other by a rounding error)" in repr(found)
+        assert not found.certain and "(uncertain: a rounding error decides whether the features named here meet; they are " in repr(found)
 
 
 SPIN = chasles.Motion.hinge([0.5, 0.5, 0], [0, 0, 1], [0, 3])
 SLIDE = chasles.Motion.slider([1, 0, 0], [0, 0.5])
 DIP = chasles.Motion.polynomial([[0.1, 0.2, 0.25], [0, 0, -1], [0, 0, 1]])  # lowest, without a speed, at time 0.5
-SLIDES = "the bodies slide along or graze each other there"
+SLIDES = "the features named here slide along or graze each other"
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,9 @@
 namespace chasles {
 namespace {
 
+const std::string apart = "; they are 2e-13 apart where the bracket begins, in double precision";
 const std::string at_the_end =
-    "the bodies just reach each other at the end of the motion, and may miss by a rounding error";
+    "the bodies just reach each other at the end of the motion, and a rounding error decides whether they meet" + apart;
 
 FirstContact contact_at(const Bracket& time, double speed) {
     FirstContact found;
@@ -15,11 +16,12 @@ FirstContact contact_at(const Bracket& time, double speed) {
     found.time = time;
     found.contacts.emplace_back();
     found.contacts.back().approach_speed = speed;
+    found.contacts.back().gap = -2e-13;
     return found;
 }
 
 TEST(WhyUncertain, NamesTheEndOfTheMotionOnlyThere) {
-    const std::string by_rounding = "the bodies may miss each other by a rounding error";
+    const std::string by_rounding = "a rounding error decides whether the features named here meet" + apart;
     EXPECT_EQ(view::why_uncertain(contact_at({0.5, 0.5}, 1)), by_rounding);
     EXPECT_EQ(view::why_uncertain(contact_at({1 - 1e-15, 1}, 1)), at_the_end);
     EXPECT_EQ(view::why_uncertain(contact_at({1 - 1e-15, 1}, 1), false), by_rounding) << "another motion follows";
@@ -27,9 +29,20 @@ TEST(WhyUncertain, NamesTheEndOfTheMotionOnlyThere) {
 
 TEST(WhyUncertain, NamesWidthsAndSlides) {
     EXPECT_EQ(view::why_uncertain(contact_at({0.5, 0.6}, 1)),
-              "the bounds of the motion do not tell contact from a miss within this bracket");
-    EXPECT_EQ(view::why_uncertain(contact_at({0.5, 0.5}, 0)),
-              "the bodies slide along or graze each other there, and may miss each other by a rounding error");
+              "the bounds of the motion do not tell contact from a miss of the bodies within this bracket" + apart);
+    EXPECT_EQ(
+        view::why_uncertain(contact_at({0.5, 0.5}, 0)),
+        "the features named here slide along or graze each other, and a rounding error decides whether they meet" +
+            apart);
+}
+
+TEST(WhyUncertain, NamesTheLeastOfTheGaps) {
+    FirstContact found = contact_at({0.5, 0.5}, 1);
+    found.contacts.insert(found.contacts.begin(), Contact());
+    found.contacts.front().gap = 3e-5;
+    EXPECT_TRUE(view::why_uncertain(found).ends_with(apart));
+    found.contacts.clear();
+    EXPECT_EQ(view::why_uncertain(found), "a rounding error decides whether the features named here meet");
 }
 
 } // namespace
