@@ -16,6 +16,7 @@
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
+#include "chasles/query/profile.h"
 #include "chasles/robot/pair_proof.h"
 #include "chasles/robot/robot.h"
 #include "chasles/scene/scene.h"

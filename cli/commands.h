@@ -21,6 +21,7 @@ using Task = std::function<int()>;
 // Each function adds one subcommand to `app`. Parsing that subcommand sets `task`.
 void add_check(CLI::App& app, Task& task);
 void add_clearance(CLI::App& app, Task& task);
+void add_profile(CLI::App& app, Task& task);
 void add_view(CLI::App& app, Task& task);
 void add_path(CLI::App& app, Task& task);
 void add_scene(CLI::App& app, Task& task);

@@ -46,6 +46,7 @@ void add_commands(CLI::App& app, Task& task) {
     app.require_subcommand(1);
     add_check(app, task);
     add_clearance(app, task);
+    add_profile(app, task);
     add_view(app, task);
     add_path(app, task);
     add_batch(app, task);

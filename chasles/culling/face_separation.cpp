@@ -1,5 +1,7 @@
 #include "chasles/culling/face_separation.h"
 
+#include "chasles/culling/nearest_to_origin.h"
+
 #include <algorithm>
 #include <span>
 
@@ -97,6 +99,28 @@ std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face,
             break;
         const Vector3<double> way = farthest - nearest;
         nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+    }
+    return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
+}
+
+/// E. Gilbert, D. Johnson and S. Keerthi, "A fast procedure for computing the distance between complex objects in
+/// three-dimensional space", 1988.
+std::optional<Vector3<double>> FaceSeparation::nearest(std::uint32_t moving_face, std::uint32_t fixed_face,
+                                                       double time) {
+    constexpr int most_steps = 24;
+    constexpr double enough = 1 - 1e-9; // of the distance
+    place_corners(moving_face, fixed_face, time);
+    WidestGap widest;
+    Simplex simplex; // of points of the difference of both hulls
+    Vector3<double> nearest = between_means_;
+    for (int step = 0; step < most_steps; ++step) {
+        const double distance = length(nearest);
+        if (!(distance > 0))
+            break;
+        const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
+        if (widest.gap >= enough * distance)
+            break;
+        nearest = simplex.add(farthest);
     }
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }

@@ -42,6 +42,9 @@ public:
     std::optional<Vector3<double>> beyond(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
                                           double distance);
 
+    /// The unit direction between the nearest points of the convex hulls of both faces. Empty if it finds no gap.
+    std::optional<Vector3<double>> nearest(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
+
 private:
     struct WidestGap {
         Vector3<double> direction{};

@@ -15,11 +15,12 @@ namespace {
 using contact::FeaturePair;
 using Eigen::Vector3d;
 
-/// Two nodes, by the distance of their middles.
+/// Two nodes.
 struct NodesAtRest {
     std::uint32_t moving;
     std::uint32_t fixed;
-    double distance;
+    double distance; ///< of their middles
+    double gap;      ///< along the way between their middles: no points of the nodes are nearer to each other
 };
 
 /// The boxes of two hierarchies at rest.
@@ -41,9 +42,13 @@ public:
         return boxes_.overlap_windows(moving, fixed, {});
     }
     [[nodiscard]] NodesAtRest placed(std::uint32_t moving_node, std::uint32_t fixed_node) const {
-        const Vector3d between = place_.rotation * middle_of(moving_.nodes()[moving_node]).centre.cast<double>() +
-                                 place_.offset - middle_of(fixed_.nodes()[fixed_node]).centre.cast<double>();
-        return {moving_node, fixed_node, between.norm()};
+        const BoxMiddle moving = middle_of(moving_.nodes()[moving_node]), fixed = middle_of(fixed_.nodes()[fixed_node]);
+        const Vector3d between =
+            place_.rotation * moving.centre.cast<double>() + place_.offset - fixed.centre.cast<double>();
+        const double distance = between.norm();
+        const double reach = between.cwiseAbs().dot(fixed.half.cast<double>()) +
+                             (place_.rotation.transpose() * between).cwiseAbs().dot(moving.half.cast<double>());
+        return {moving_node, fixed_node, distance, distance > 0 ? distance - reach / distance - rounding() : 0};
     }
 
 private:
@@ -55,10 +60,8 @@ private:
         return place;
     }
 
-    [[nodiscard]] culling::BoxSlack slack() const {
-        const double rounding = culling::float_rounding(farthest_, farthest_);
-        return {rounding, rounding, 0};
-    }
+    [[nodiscard]] double rounding() const { return culling::float_rounding(farthest_, farthest_); }
+    [[nodiscard]] culling::BoxSlack slack() const { return {rounding(), rounding(), 0}; }
 
     const Bvh& moving_;
     const Bvh& fixed_;
@@ -86,11 +89,12 @@ public:
 
     std::optional<NearestFeatures> run() {
         boxes_.set_bound(std::min(bound_, boxes_.farthest()));
-        stack_.push_back({0, 0, 0});
+        stack_.push_back({0, 0, 0, 0});
         while (!stack_.empty() && std::max(work_.node_pairs, work_.face_pairs) < goal_.most_work) {
             const NodesAtRest nodes = stack_.back();
             stack_.pop_back();
-            visit(nodes);
+            if (nodes.gap <= bound_)
+                visit(nodes);
         }
         return found_;
     }

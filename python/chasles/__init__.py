@@ -17,6 +17,7 @@ from ._core import (
     ConstantTwist,
     ConstantVelocity,
     Contact,
+    DistanceProfile,
     DragContact,
     DragEvent,
     DraggedBody,
@@ -60,6 +61,7 @@ from ._core import (
     load_parts,
     load_points,
     points,
+    profile,
     relative,
     rest_of,
     sphere,
@@ -84,6 +86,7 @@ __all__ = [
     "ConstantVelocity",
     "Contact",
     "ContactKind",
+    "DistanceProfile",
     "DragContact",
     "DragEvent",
     "DragLock",
@@ -140,6 +143,7 @@ __all__ = [
     "path_dtype",
     "path_is_clear_batch",
     "points",
+    "profile",
     "recording_page",
     "relative",
     "rest_of",
@@ -160,6 +164,14 @@ def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
     return plot(found, *arguments, **options)
 
 
+def _plot_profile(profile: DistanceProfile, *arguments: Any, **options: Any) -> Any:
+    """Draw both bounds over the time with matplotlib: see `chasles.plot_profile.plot_profile`."""
+    from .plot_profile import plot_profile  # as above
+
+    return plot_profile(profile, *arguments, **options)
+
+
+DistanceProfile.plot = _plot_profile  # type: ignore[attr-defined]
 FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]
 Scene.view = write_scene_page  # type: ignore[attr-defined]

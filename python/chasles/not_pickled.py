@@ -7,6 +7,7 @@ from . import _core
 _WAYS_OUT = {
     "keep the numbers that you need from this answer, or ask again": [
         _core.Contact,
+        _core.DistanceProfile,
         _core.DragContact,
         _core.DragEvent,
         _core.DragStep,

@@ -14,6 +14,7 @@ void bind_answers(nanobind::module_& module);
 void bind_queries(nanobind::module_& module);
 void bind_batches(nanobind::module_& module);
 void bind_least_distance(nanobind::module_& module);
+void bind_profile(nanobind::module_& module);
 void bind_untested(nanobind::module_& module);
 void bind_scene(nanobind::module_& module);
 void bind_nearest_pair(nanobind::module_& module);

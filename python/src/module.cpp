@@ -39,6 +39,7 @@ NB_MODULE(_core, module) {
     python::bind_queries(module);
     python::bind_batches(module);
     python::bind_least_distance(module);
+    python::bind_profile(module);
     python::bind_untested(module);
     python::bind_scene(module);
     python::bind_nearest_pair(module);

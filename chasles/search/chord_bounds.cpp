@@ -1,0 +1,318 @@
+#include "chasles/search/chord_bounds.h"
+
+#include "chasles/culling/split_nodes.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+namespace chasles::search {
+
+namespace {
+
+using contact::FeaturePair;
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The search for a lower bound may fall below the distance at the knots by this part of the widths; without that, all
+/// pairs of faces that are nearly as near as the nearest ones have to be looked at. Measured with profile_bench.
+constexpr double share_of_search = 0.35;
+
+motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
+    motion::MatrixPose pose;
+    pose.translation = motion::vector_in<double>(bodies.moved(Vector3d::Zero()));
+    for (int i = 0; i < 3; ++i)
+        pose.rotation.row[i] = motion::vector_in<double>(bodies.turned_back(Vector3d::Unit(i)));
+    return pose;
+}
+
+Vector3d eigen(const algebra::Vector3<double>& v) {
+    return {v.x, v.y, v.z};
+}
+
+Vector3d moved(const motion::MatrixPose& pose, const Vector3d& point) {
+    return eigen(pose(motion::vector_in<double>(point)));
+}
+
+Vector3d moved_back(const motion::MatrixPose& pose, const Vector3d& point) {
+    return eigen(pose.rotation.transposed() * (motion::vector_in<double>(point) - pose.translation));
+}
+
+/// A set that contains a point of a feature, is a part of the surface, and is convex: the distance of a point that runs
+/// straight is then convex in time.
+Vector3d nearest_in_edge(const Body& body, const Feature& edge, const Vector3d& point) {
+    return contact::foot_on_segment(body.vertices()[edge.first], body.vertices()[edge.second], point);
+}
+
+/// The least height of a box.
+double lowest(const BvhNode& node, const algebra::Vector3<double>& n) {
+    return std::min(n.x * node.lower[0], n.x * node.upper[0]) + std::min(n.y * node.lower[1], n.y * node.upper[1]) +
+           std::min(n.z * node.lower[2], n.z * node.upper[2]);
+}
+
+bool is_planar_and_convex(const Body& body, std::uint32_t face) {
+    return body.face(face).size() == 3;
+}
+
+} // namespace
+
+NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesses, double accuracy) {
+    const contact::RelativeConfiguration bodies = context_.configuration_at(tau);
+    NearKnot knot{.tau = tau, .distance = infinity, .features = {}, .points = {}, .pose = pose_of(bodies)};
+    const auto use = [&](const FeaturePair& features) {
+        const NearPoints points = nearest_.points(bodies, features);
+        if (points.distance < knot.distance)
+            std::tie(knot.distance, knot.features, knot.points) = std::tuple(points.distance, features, points);
+    };
+    for (const FeaturePair& features : guesses)
+        use(features);
+    const double enough = accuracy * knot.distance;
+    if (guesses.empty() || !are_beyond_at(knot, enough))
+        if (const auto nearer = nearest_features(bodies, {enough, accuracy}, work_))
+            use(nearer->features);
+    return knot;
+}
+
+/// Whether the surfaces are proven to be so far apart at a knot.
+bool ChordBounds::are_beyond_at(const NearKnot& knot, double distance) {
+    ends_ = culling::IntervalEnds(knot.pose);
+    use_directions(knot, knot);
+    const LinearBound wanted{distance, distance};
+    return lower(part_between(knot, knot).interval.boxes, wanted, wanted).has_value();
+}
+
+NearKnot ChordBounds::touching_at(double tau, const std::optional<Vector3d>& point) const {
+    NearKnot knot{
+        .tau = tau, .distance = 0, .features = {}, .points = {}, .pose = pose_of(context_.configuration_at(tau))};
+    if (point)
+        knot.points = contact::NearestPoints{*point, *point};
+    return knot;
+}
+
+/// Points of both bodies that are no farther apart than the distance at either end stay near their chords.
+ChordBounds::Part ChordBounds::part_between(const NearKnot& start, const NearKnot& end) const {
+    const double farthest = std::max(start.distance, end.distance);
+    const culling::PieceParts parts = context_.parts(farthest);
+    const culling::TimeInterval interval = context_.time_tree(farthest, parts).interval({start.tau, end.tau});
+    return {interval, interval.deviation + 4 * elementary::position_error<double>(parts.scale())};
+}
+
+std::optional<DistanceBounds> ChordBounds::between(const NearKnot& start, const NearKnot& end,
+                                                   const std::optional<LinearBound>& widths) {
+    const auto [interval, slack] = part_between(start, end);
+    if (widths && 2 * slack > widths->least())
+        return std::nullopt;
+    const LinearBound most = upper(start, end);
+    std::optional<LinearBound> wanted;
+    if (widths)
+        wanted = {most.start + 2 * slack - widths->start, most.end + 2 * slack - widths->end};
+    if (wanted && (wanted->start > start.distance - share_of_search * widths->start ||
+                   wanted->end > end.distance - share_of_search * widths->end))
+        return std::nullopt;
+    ends_.start = start.pose;
+    ends_.end = end.pose;
+    use_directions(start, end);
+    const auto least = lower(interval.boxes, {start.distance, end.distance}, wanted);
+    if (!least)
+        return std::nullopt;
+    return DistanceBounds{{least->start - slack, least->end - slack}, {most.start + slack, most.end + slack}};
+}
+
+LinearBound ChordBounds::upper_between(const NearKnot& start, const NearKnot& end) {
+    const double slack = part_between(start, end).slack;
+    const LinearBound most = upper(start, end);
+    return {most.start + slack, most.end + slack};
+}
+
+/// The points that are nearest at either end: the better of both bounds.
+LinearBound ChordBounds::upper(const NearKnot& start, const NearKnot& end) {
+    const LinearBound later{start.distance, way_of_points(start, end)},
+        earlier{way_of_points(end, start), end.distance};
+    return later.end - end.distance < earlier.start - start.distance ? later : earlier;
+}
+
+/// The points that are nearest at one knot: how far the one is at the other knot from a convex part of the other
+/// surface that contains the other one.
+double ChordBounds::way_of_points(const NearKnot& from, const NearKnot& to) {
+    if (!from.points)
+        return infinity;
+    const auto& [on_moving, on_fixed] = *from.points;
+    const Body &moving = context_.moving(), &fixed = context_.fixed();
+    const Vector3d point = moved(to.pose, moved_back(from.pose, on_moving)); // of the moving body
+    const Vector3d other = moved_back(to.pose, on_fixed); // of the fixed body, seen by the moving one
+    double way = (point - on_fixed).norm();
+    if (!(from.distance > 0))
+        return way; // no features are known
+    const FeaturePair& features = from.features;
+    const auto shorten = [&](double error, const Vector3d& a, const Vector3d& b) {
+        way = std::min(way, (a - b).norm() + error);
+    };
+    if (features.kind == ContactKind::vertex_face && is_planar_and_convex(fixed, features.fixed.first)) {
+        const contact::FaceAtRest& face = fixed_face_.of(fixed, features.fixed.first);
+        shorten(face.nearest_error(), point, face.nearest(point));
+    } else if (features.kind == ContactKind::face_vertex && is_planar_and_convex(moving, features.moving.first)) {
+        const contact::FaceAtRest& face = moving_face_.of(moving, features.moving.first);
+        shorten(face.nearest_error(), other, face.nearest(other));
+    } else if (features.kind == ContactKind::edge_edge) {
+        shorten(0, point, nearest_in_edge(fixed, features.fixed, point));
+        shorten(0, other, nearest_in_edge(moving, features.moving, other));
+    }
+    return way;
+}
+
+void ChordBounds::use_directions(const NearKnot& start, const NearKnot& end) {
+    separation_.use(ends_);
+    sights_.clear();
+    std::array<Vector3d, 2> found;
+    std::size_t count = 0;
+    for (const NearKnot* knot : {&start, &end})
+        if (knot->points && knot->distance > 0)
+            found[count++] = knot->points->apart().stableNormalized();
+    if (count == 2 && (found[0] + found[1]).norm() > 0)
+        sights_.push_back(sight_along(motion::vector_in<double>((found[0] + found[1]).normalized())));
+    for (std::size_t i = 0; i < count; ++i)
+        sights_.push_back(sight_along(motion::vector_in<double>(found[i])));
+}
+
+ChordBounds::Sight ChordBounds::sight_along(const Direction& along) const {
+    const auto moving = motion::vector_in<double>(context_.moving().bvh().centre());
+    const auto fixed = motion::vector_in<double>(context_.fixed().bvh().centre());
+    Sight sight{along, {}, {}};
+    for (const auto& [pose, i] : {std::pair(&ends_.start, 0U), std::pair(&ends_.end, 1U)}) {
+        sight.of_moving[i] = pose->rotation.transposed() * along;
+        sight.between[i] = dot(along, (*pose)(moving)-fixed);
+    }
+    return sight;
+}
+
+/// Whether the boxes of two nodes are at least so far apart along one direction, at both ends.
+bool ChordBounds::are_beyond(const LinearBound& distance, const BvhNode& moving, const BvhNode& fixed) const {
+    const auto separates = [&](const Sight& sight) {
+        const double of_fixed = lowest(fixed, scale(sight.along, -1.0));
+        return sight.between[0] + lowest(moving, sight.of_moving[0]) + of_fixed >= distance.start &&
+               sight.between[1] + lowest(moving, sight.of_moving[1]) + of_fixed >= distance.end;
+    };
+    return std::ranges::any_of(sights_, separates) || separates(sight_along(between_middles(moving, fixed)));
+}
+
+bool ChordBounds::are_faces_beyond(const LinearBound& distance, std::uint32_t moving, std::uint32_t fixed) {
+    if (sights_.empty())
+        return false;
+    const Sight& sight = sights_.front();
+    const double of_fixed = least_height(context_.fixed(), fixed, scale(sight.along, -1.0));
+    return sight.between[0] + least_height(context_.moving(), moving, sight.of_moving[0]) + of_fixed >=
+               distance.start &&
+           sight.between[1] + least_height(context_.moving(), moving, sight.of_moving[1]) + of_fixed >= distance.end;
+}
+
+/// Of the corners of the faces below a node, from the centre of the hierarchy.
+double ChordBounds::least_height(const Body& body, std::uint32_t node, const Direction& along) {
+    const std::span<const BvhNode> nodes = body.bvh().nodes();
+    const auto centre = motion::vector_in<double>(body.bvh().centre());
+    double least = infinity;
+    nodes_.assign(1, node);
+    while (!nodes_.empty()) {
+        const BvhNode& next = nodes[nodes_.back()];
+        nodes_.pop_back();
+        if (lowest(next, along) >= least)
+            continue;
+        if (next.is_leaf()) {
+            for (const std::uint32_t corner : body.face(next.first))
+                least = std::min(least, dot(along, culling::point_of<double>(body, corner) - centre));
+            continue;
+        }
+        const bool second_is_lower = lowest(nodes[next.first + 1], along) < lowest(nodes[next.first], along);
+        nodes_.push_back(next.first + (second_is_lower ? 0 : 1));
+        nodes_.push_back(next.first + (second_is_lower ? 1 : 0));
+    }
+    return least;
+}
+
+/// A unit direction between the middles of two nodes in the middle of the part.
+ChordBounds::Direction ChordBounds::between_middles(const BvhNode& moving, const BvhNode& fixed) const {
+    const auto middle = [](const Body& body, const BvhNode& node) {
+        return motion::vector_in<double>(body.bvh().centre() + middle_of(node).centre.cast<double>());
+    };
+    const Direction of_moving = middle(context_.moving(), moving);
+    const Direction way = scale(ends_.start(of_moving) + ends_.end(of_moving), 0.5) - middle(context_.fixed(), fixed);
+    const double size = length(way);
+    return size > 0 ? scale(way, 1 / size) : Direction{1, 0, 0};
+}
+
+/// A bound of all pairs of faces that may come as near as it: `wanted`, or else the best that is found.
+std::optional<LinearBound> ChordBounds::lower(const culling::SweptBoxes& boxes, const LinearBound& most,
+                                              const std::optional<LinearBound>& wanted) {
+    const std::span<const BvhNode> moving = context_.moving().bvh().nodes(), fixed = context_.fixed().bvh().nodes();
+    LinearBound least = wanted.value_or(most);
+    stack_.assign(1, {0, 0});
+    while (!stack_.empty()) {
+        const auto [i, j] = stack_.back();
+        stack_.pop_back();
+        if (moving[i].is_leaf() && fixed[j].is_leaf()) {
+            const LinearBound gap = widest_gaps(moving[i].first, fixed[j].first, least);
+            if (gap.start >= least.start && gap.end >= least.end)
+                continue;
+            if (wanted)
+                return std::nullopt;
+            least = {std::min(least.start, gap.start), std::min(least.end, gap.end)};
+            continue;
+        }
+        if (are_faces_beyond(least, i, j))
+            continue;
+        const auto [a, b] = culling::split_nodes(moving, i, fixed, j);
+        std::array<bool, 4> is_near{};
+        for (std::uint32_t k = 0; k < a.count; ++k)
+            for (std::uint32_t l = 0; l < b.count; ++l) {
+                const BvhNode &of_moving = moving[a.first + k], &of_fixed = fixed[b.first + l];
+                is_near[2 * k + l] =
+                    !(of_moving.is_bare() && of_fixed.is_bare()) && !are_beyond(least, of_moving, of_fixed);
+            }
+        work_.node_pairs += std::uint64_t(a.count) * b.count;
+        if (std::ranges::none_of(is_near, std::identity()))
+            continue;
+        const auto windows = boxes.overlap_windows(a.of(moving), b.of(fixed), {});
+        for (std::uint32_t k = 0; k < 4; ++k)
+            if (is_near[k] && !windows[k].is_empty())
+                stack_.emplace_back(a.first + k / 2, b.first + k % 2);
+    }
+    return least;
+}
+
+/// The gaps of two faces along one direction that are as great as `wanted`, or the best that are found.
+LinearBound ChordBounds::widest_gaps(std::uint32_t moving_face, std::uint32_t fixed_face, const LinearBound& wanted) {
+    ++work_.face_pairs;
+    LinearBound best{-infinity, -infinity};
+    const auto lack = [&](const LinearBound& gap) { return std::max(wanted.start - gap.start, wanted.end - gap.end); };
+    const auto is_enough = [&](const Direction& along) {
+        const LinearBound gap = gaps(along, moving_face, fixed_face);
+        if (lack(gap) < lack(best))
+            best = gap;
+        return lack(best) <= 0;
+    };
+    for (const Sight& sight : sights_)
+        if (is_enough(sight.along))
+            return best;
+    for (const double time : {0.5, 0.0, 1.0})
+        if (const auto along = separation_.nearest(moving_face, fixed_face, time); along && is_enough(*along))
+            break;
+    return best;
+}
+
+/// On chords each corner runs evenly along the direction, so the least height is above the line between its values at
+/// both ends.
+LinearBound ChordBounds::gaps(const Direction& along, std::uint32_t moving_face, std::uint32_t fixed_face) const {
+    double highest = -infinity;
+    for (const std::uint32_t corner : context_.fixed().face(fixed_face))
+        highest = std::max(highest, dot(along, culling::point_of<double>(context_.fixed(), corner)));
+    LinearBound least{infinity, infinity};
+    for (const std::uint32_t corner : context_.moving().face(moving_face)) {
+        const auto point = culling::point_of<double>(context_.moving(), corner);
+        least.start = std::min(least.start, dot(along, ends_.start(point)));
+        least.end = std::min(least.end, dot(along, ends_.end(point)));
+    }
+    return {least.start - highest, least.end - highest};
+}
+
+} // namespace chasles::search

@@ -1,0 +1,108 @@
+// Bounds of the distance of two surfaces over a part of a piece, linear in tau.
+// Source: docs/derivations/39-profile.md.
+#pragma once
+
+#include "chasles/culling/face_separation.h"
+#include "chasles/search/nearest_features.h"
+#include "chasles/search/piece_context.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace chasles::search {
+
+/// A number at both ends of a part; between them it is linear in tau.
+struct LinearBound {
+    double start = 0;
+    double end = 0;
+
+    [[nodiscard]] double at(double share) const { return start + share * (end - start); }
+    [[nodiscard]] double least() const { return std::min(start, end); }
+    [[nodiscard]] double greatest() const { return std::max(start, end); }
+};
+
+/// Of the distance of two surfaces over a part.
+struct DistanceBounds {
+    LinearBound lower; ///< may be below 0
+    LinearBound upper;
+};
+
+/// Two surfaces at one tau.
+struct NearKnot {
+    double tau = 0;
+    double distance = 0; ///< of the points
+    contact::FeaturePair features;
+    /// Nearest points, or twice one where the surfaces meet, in the frame of the fixed body. Empty if the bodies touch,
+    /// but no point is known where, as if one is inside of the other one.
+    std::optional<contact::NearestPoints> points;
+    motion::MatrixPose pose; ///< of the moving body in the frame of the fixed one
+};
+
+/// Bounds the distance of two surfaces over parts of one piece. The context is kept by reference. For one thread.
+class ChordBounds {
+public:
+    explicit ChordBounds(const PieceContext& context)
+        : context_(context), separation_(context.moving(), context.fixed()) {}
+
+    /// The nearest features at a tau: no others are nearer than this times their distance. `guesses` may be near each
+    /// other there.
+    NearKnot nearest_at(double tau, std::span<const contact::FeaturePair> guesses, double accuracy);
+    /// The bodies touch there, in this point of the fixed body's frame if one is known.
+    [[nodiscard]] NearKnot touching_at(double tau, const std::optional<Eigen::Vector3d>& point) const;
+
+    /// The bounds between two knots. With `widths`, empty if they are farther apart than that at either end; without,
+    /// as near as the knots allow.
+    std::optional<DistanceBounds> between(const NearKnot& start, const NearKnot& end,
+                                          const std::optional<LinearBound>& widths);
+    /// The upper bound alone, for surfaces that meet.
+    [[nodiscard]] LinearBound upper_between(const NearKnot& start, const NearKnot& end);
+
+    [[nodiscard]] const Work& work() const { return work_; }
+
+private:
+    using Direction = algebra::Vector3<double>;
+    /// A unit direction, seen by both bodies.
+    struct Sight {
+        Direction along;                    ///< in the frame of the fixed body
+        std::array<Direction, 2> of_moving; ///< in the frame of the moving body, at both ends
+        std::array<double, 2> between{};    ///< of the centres of the hierarchies, at both ends
+    };
+
+    /// The boxes of the part between two knots, and how far bounds on chords may be from the true ones.
+    struct Part {
+        culling::TimeInterval interval;
+        double slack;
+    };
+    [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end) const;
+    bool are_beyond_at(const NearKnot& knot, double distance);
+    [[nodiscard]] LinearBound upper(const NearKnot& start, const NearKnot& end);
+    [[nodiscard]] double way_of_points(const NearKnot& from, const NearKnot& to);
+    std::optional<LinearBound> lower(const culling::SweptBoxes& boxes, const LinearBound& most,
+                                     const std::optional<LinearBound>& wanted);
+    LinearBound widest_gaps(std::uint32_t moving_face, std::uint32_t fixed_face, const LinearBound& wanted);
+    [[nodiscard]] LinearBound gaps(const Direction& along, std::uint32_t moving_face, std::uint32_t fixed_face) const;
+    void use_directions(const NearKnot& start, const NearKnot& end);
+    [[nodiscard]] Sight sight_along(const Direction& along) const;
+    [[nodiscard]] bool are_beyond(const LinearBound& distance, const BvhNode& moving, const BvhNode& fixed) const;
+    /// Likewise the faces below two nodes.
+    [[nodiscard]] bool are_faces_beyond(const LinearBound& distance, std::uint32_t moving, std::uint32_t fixed);
+    double least_height(const Body& body, std::uint32_t node, const Direction& along);
+    [[nodiscard]] Direction between_middles(const BvhNode& moving, const BvhNode& fixed) const;
+
+    const PieceContext& context_;
+    culling::FaceSeparation separation_;
+    culling::IntervalEnds ends_;
+    std::vector<Sight> sights_;                                  ///< between the nearest points of both knots
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> stack_; ///< pairs of nodes
+    std::vector<std::uint32_t> nodes_;                           ///< of one hierarchy
+    NearestAtRest nearest_;
+    contact::LastFaceAtRest moving_face_;
+    contact::LastFaceAtRest fixed_face_;
+    Work work_;
+};
+
+} // namespace chasles::search

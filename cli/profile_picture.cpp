@@ -1,0 +1,115 @@
+#include "cli/profile_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace chasles::cli {
+namespace {
+
+// In pixels.
+constexpr double picture_width = 720;
+constexpr double picture_height = 360;
+constexpr double left_of_axes = 80;
+constexpr double right_of_axes = 20;
+constexpr double above_axes = 20;
+constexpr double below_axes = 45;
+
+/// The part of a plane with times from 0 to 1 and distances from 0 on.
+class Frame {
+public:
+    explicit Frame(double greatest) : greatest_(greatest > 0 ? greatest : 1) {}
+
+    [[nodiscard]] static double x(double time) {
+        return left_of_axes + time * (picture_width - left_of_axes - right_of_axes);
+    }
+    [[nodiscard]] double y(double distance) const {
+        return picture_height - below_axes - distance / greatest_ * (picture_height - above_axes - below_axes);
+    }
+    [[nodiscard]] std::string point(double time, double distance) const {
+        return fmt::format("{:.2f},{:.2f} ", x(time), y(distance));
+    }
+    /// A length of 1, 2 or 5 times a power of ten that divides the axis of distances into few parts.
+    [[nodiscard]] double tick() const {
+        const double power = std::pow(10.0, std::floor(std::log10(greatest_)));
+        for (const double step : {0.1, 0.2, 0.5, 1.0})
+            if (greatest_ / (step * power) <= 6)
+                return step * power;
+        return 2 * power;
+    }
+    [[nodiscard]] double greatest() const { return greatest_; }
+
+private:
+    double greatest_;
+};
+
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
+    return fmt::format(R"(<line x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}" {}/>)"
+                       "\n",
+                       x1, y1, x2, y2, style);
+}
+
+std::string svg_text(double x, double y, std::string_view anchor, std::string_view words) {
+    return fmt::format(R"(<text x="{:.2f}" y="{:.2f}" text-anchor="{}">{}</text>)"
+                       "\n",
+                       x, y, anchor, words);
+}
+
+std::string axes_of(const Frame& frame) {
+    constexpr std::string_view grid = R"(stroke="#ddd")";
+    std::string lines;
+    for (int i = 0; i * frame.tick() <= frame.greatest(); ++i) {
+        const double distance = i * frame.tick();
+        lines += svg_line(left_of_axes, frame.y(distance), picture_width - right_of_axes, frame.y(distance), grid);
+        lines += svg_text(left_of_axes - 8, frame.y(distance) + 4, "end", fmt::format("{:.6g}", distance));
+    }
+    for (int i = 0; i <= 4; ++i) {
+        lines += svg_line(Frame::x(0.25 * i), above_axes, Frame::x(0.25 * i), picture_height - below_axes, grid);
+        lines += svg_text(Frame::x(0.25 * i), picture_height - below_axes + 18, "middle", fmt::format("{}", 0.25 * i));
+    }
+    return lines +
+           svg_text(0.5 * (left_of_axes + picture_width - right_of_axes), picture_height - 8, "middle",
+                    "time, as a part of the motion") +
+           svg_text(left_of_axes, above_axes - 6, "start", "distance");
+}
+
+/// Along the upper bounds, and back along the lower ones. Steps within a pixel are one.
+std::string band_of(const DistanceProfile& profile, const Frame& frame) {
+    std::string there, back;
+    constexpr double pixel = 1 / (2 * (picture_width - left_of_axes - right_of_axes));
+    for (std::size_t i = 0; i + 1 < profile.times.size();) {
+        const double from = profile.times[i];
+        double lower = profile.lower[i], upper = profile.upper[i];
+        for (; i + 1 < profile.times.size() && profile.times[i] <= from + pixel; ++i) {
+            lower = std::min(lower, profile.lower[i]);
+            upper = std::max(upper, profile.upper[i]);
+        }
+        const double to = profile.times[i];
+        there += frame.point(from, upper) + frame.point(to, upper);
+        back.insert(0, frame.point(to, lower) + frame.point(from, lower));
+    }
+    return fmt::format(R"(<polygon points="{}{}" fill="#3b6ea8" stroke="#3b6ea8" stroke-width="1.5"/>)"
+                       "\n",
+                       there, back);
+}
+
+} // namespace
+
+std::string profile_picture(const DistanceProfile& profile, const std::vector<double>& margins) {
+    const Frame frame(1.05 * *std::ranges::max_element(profile.upper));
+    std::string picture =
+        fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
+                    R"(font-family="sans-serif" font-size="12">)"
+                    "\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+                    picture_width, picture_height);
+    picture += axes_of(frame) + band_of(profile, frame);
+    for (const double margin : margins)
+        if (margin <= frame.greatest())
+            picture +=
+                svg_line(left_of_axes, frame.y(margin), picture_width - right_of_axes, frame.y(margin),
+                         R"(stroke="#c0392b" stroke-dasharray="6 4")") +
+                svg_text(picture_width - right_of_axes, frame.y(margin) - 4, "end", fmt::format("{:.6g}", margin));
+    return picture + "</svg>\n";
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,45 @@
+"""A plot of the distance over time with matplotlib: the band between both bounds, and margins."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ._core import DistanceProfile
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+BAND, MARGIN = "#3f8fc8", "#d4147f"
+
+
+def plot_profile(profile: DistanceProfile, axes: Axes | None = None, *, margins: Sequence[float] = ()) -> Axes:
+    """Draw both bounds over the time.
+
+    Parameters
+    ----------
+    profile : DistanceProfile
+    axes : Axes, optional
+        The axes to draw on. By default, new axes in a new figure.
+    margins : sequence of floats
+        Distances that are drawn as lines, mesh unit.
+
+    Returns
+    -------
+    Axes
+    """
+    axes = axes or _new_axes()
+    axes.fill_between(profile.times, profile.lower, profile.upper, step="post", color=BAND, linewidth=1.2)
+    for margin in margins:
+        axes.axhline(margin, color=MARGIN, linestyle="--", linewidth=1)
+    axes.set(xlabel="time, as a part of the motion", ylabel="distance", xlim=(0, 1), ylim=(0, None))
+    return axes
+
+
+def _new_axes() -> Axes:
+    try:
+        import matplotlib.pyplot as plt
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("plot draws with matplotlib, which is not installed: pip install matplotlib") from error
+
+    return plt.figure(figsize=(8, 4.5), layout="constrained").add_subplot()

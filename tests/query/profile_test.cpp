@@ -1,0 +1,181 @@
+// Curves of the distance in closed form, and beside the distances of all triangles at many poses.
+#include "chasles/query/profile.h"
+
+#include "chasles/base/limit.h"
+#include "chasles/mesh/primitives.h"
+#include "tests/query/bodies.h"
+#include "tests/query/posed_distance.h"
+#include "tests/support/posed_motions.h"
+#include "tests/support/refusal.h"
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double rounding = 1e-13;
+
+DistanceProfile ask(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion,
+                    const ProfileOptions& options = {}) {
+    return profile({.moving = moving, .fixed = fixed, .motion = motion, .options = options});
+}
+
+/// The entry that holds at a time.
+std::size_t step_at(const DistanceProfile& found, double time) {
+    const auto after = std::ranges::upper_bound(found.times, time);
+    return std::min(std::size_t(after - found.times.begin()), found.times.size() - 1) - 1;
+}
+
+/// The steps are whole and in order, and each is as narrow as asked.
+void expect_narrow(const DistanceProfile& found, double tolerance, double absolute) {
+    EXPECT_TRUE(found.certain);
+    ASSERT_GE(found.times.size(), 2U);
+    ASSERT_EQ(found.times.size(), found.lower.size());
+    ASSERT_EQ(found.times.size(), found.upper.size());
+    EXPECT_EQ(found.times.front(), 0);
+    EXPECT_EQ(found.times.back(), 1);
+    for (std::size_t i = 0; i + 1 < found.times.size(); ++i) {
+        EXPECT_LT(found.times[i], found.times[i + 1]);
+        EXPECT_GE(found.lower[i], 0);
+        EXPECT_LE(found.upper[i] - found.lower[i], std::max(tolerance * found.upper[i], absolute) + rounding);
+    }
+}
+
+void expect_holds(const DistanceProfile& found, const std::function<double(double)>& distance, int samples) {
+    for (int i = 0; i <= samples; ++i) {
+        const double time = double(i) / samples;
+        const std::size_t step = step_at(found, time);
+        EXPECT_LE(found.lower[step], distance(time) + rounding) << time;
+        EXPECT_GE(found.upper[step], distance(time) - rounding) << time;
+    }
+}
+
+Polyhedron point(double radius) {
+    const std::vector<Vector3d> origin{Vector3d::Zero()};
+    return make_points(origin, radius);
+}
+
+TEST(Profile, OfBallsOnAnArmAndOnALine) {
+    for (const double tolerance : {1e-4, 1e-2, 0.3}) {
+        const DistanceProfile on_arm =
+            ask(point(0.5), point(0.25), Motion::hinge({0, 2, 0}, {0, 0, 1}, {0.75, 5}), {.tolerance = tolerance});
+        const auto of_arm = [](double time) { return std::abs(4 * std::sin((0.75 + 5 * time) / 2)) - 0.75; };
+        expect_narrow(on_arm, tolerance, 1e-6);
+        expect_holds(on_arm, of_arm, 1000);
+        const DistanceProfile on_line =
+            ask(point(0.5), point(0.25), Motion::polynomial({{-3, 2, 1}, {7, 0, 0}}), {.tolerance = tolerance});
+        expect_narrow(on_line, tolerance, 1e-6);
+        expect_holds(
+            on_line, [](double time) { return std::hypot(7 * time - 3, 2, 1) - 0.75; }, 1000);
+    }
+}
+
+/// All kinds of motions of boxes that turn, against the least distance of all pairs of triangles.
+TEST(Profile, IsNeverCrossedByTheDistancesOfAllTriangles) {
+    Random random(61);
+    int seen = 0;
+    for (int i = 0; i < 40 * times_if_long(20); ++i) {
+        const auto random_box = [&] {
+            return box({random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)}).polyhedron();
+        };
+        const auto random_pose = [&] { return Pose(eigen(random.vector(4)), random_rotation(random)); };
+        const Polyhedron moving = random_box(), fixed = random_box();
+        const Pose start = random_pose(), goal = random_pose();
+        for (const Motion& motion : {Motion(ScrewMotion::between(start, goal)), Motion::velocity(start, goal),
+                                     Motion(SweepMotion::between(start, goal)), Motion::twist(start, goal)}) {
+            const DistanceProfile found = ask(moving, fixed, motion, {.tolerance = 0.02});
+            if (found.free().size() != 1 || found.free()[0].upper < 1)
+                continue; // surfaces that cross have distances that are not 0
+            ++seen;
+            expect_narrow(found, 0.02, 1e-5);
+            expect_holds(
+                found, [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)); }, 100);
+        }
+    }
+    EXPECT_GT(seen, 60);
+}
+
+/// A cube passes through another one: free, then not, and free again.
+TEST(Profile, NamesTheTimesThatAreFree) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const DistanceProfile found = ask(cube, cube, Motion::slider({1, 0, 0}, {-6, 10}));
+    EXPECT_TRUE(found.certain);
+    const std::vector<Bracket> free = found.free();
+    ASSERT_EQ(free.size(), 2U);
+    EXPECT_EQ(free[0].lower, 0);
+    EXPECT_NEAR(free[0].upper, 0.4, 1e-6);
+    EXPECT_LT(free[0].upper, 0.4);
+    EXPECT_NEAR(free[1].lower, 0.8, 1e-6);
+    EXPECT_GT(free[1].lower, 0.8);
+    EXPECT_EQ(free[1].upper, 1);
+    expect_holds(
+        found, [](double time) { return std::max(0.0, std::abs(10 * time - 6) - 2); }, 200);
+}
+
+TEST(Profile, ZonesEndWhereMarginsAreCrossed) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const DistanceProfile found =
+        ask(cube, cube, Motion::polynomial({{-6, 2.5, 0}, {12, 0, 0}}), {.margins = {1, 0.75, 3}});
+    for (const double margin : {0.75, 1.0, 3.0}) { // the gap is hypot(max(|x| - 2, 0), 0.5)
+        const double half = (2 + std::sqrt(margin * margin - 0.25)) / 12;
+        const Zones zones = found.zones(margin);
+        ASSERT_EQ(zones.inside.size(), 1U) << margin;
+        EXPECT_GE(zones.inside[0].lower, 0.5 - half - 1e-12);
+        EXPECT_LE(zones.inside[0].lower, 0.5 - half + 1e-6);
+        EXPECT_LE(zones.inside[0].upper, 0.5 + half + 1e-12);
+        EXPECT_GE(zones.inside[0].upper, 0.5 + half - 1e-6);
+        double doubt = 0;
+        for (const Bracket& part : zones.doubt)
+            doubt += part.upper - part.lower;
+        EXPECT_LE(doubt, 4e-6) << margin;
+    }
+    EXPECT_TRUE(found.zones(0.25).inside.empty());
+    EXPECT_TRUE(found.zones(0.25).doubt.empty());
+    EXPECT_EQ(found.zones(100).inside.size(), 1U);
+}
+
+/// What is inside of a solid body is at the distance 0; without a volume it is apart from the surface.
+TEST(Profile, OfABodyInsideOfAnotherOne) {
+    const Polyhedron small = box({0.25, 0.25, 0.25}).polyhedron();
+    const Motion motion = Motion::slider({1, 0, 0}, {-0.5, 1});
+    const DistanceProfile solid = ask(small, box({2, 2, 2}).polyhedron(), motion);
+    EXPECT_TRUE(solid.free().empty());
+    EXPECT_EQ(*std::ranges::max_element(solid.upper), 0);
+    const Body shell = box({2, 2, 2});
+    const Polyhedron open = Polyhedron::from_polygons(shell.vertices, shell.faces, {.solid = Solid::no});
+    const DistanceProfile hollow = ask(small, open, motion);
+    expect_holds(
+        hollow, [](double time) { return 1.75 - std::abs(time - 0.5); }, 100);
+    expect_narrow(hollow, 1e-2, 1e-5);
+}
+
+TEST(Profile, AtALimitIsWhatIsProvenSoFar) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const Limit limit(0);
+    const DistanceProfile found = ask(cube, cube, Motion::slider({1, 0, 0}, {-6, 3}));
+    EXPECT_FALSE(found.certain);
+    EXPECT_EQ(found.times.back(), 1);
+    expect_holds(
+        found, [](double time) { return 4 - 3 * time; }, 50);
+}
+
+TEST(Profile, OptionsOutOfTheirRangeAreRefused) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const auto with = [&](const ProfileOptions& options) {
+        return [&cube, options] { (void)ask(cube, cube, Motion::at_rest({}), options); };
+    };
+    EXPECT_EQ(refusal(with({.tolerance = 1e-5})), "query: tolerance: must be in [1e-4, 1]");
+    EXPECT_EQ(refusal(with({.absolute_tolerance = -1})), "query: absolute_tolerance: must be at least 0, and finite");
+    EXPECT_EQ(refusal(with({.margins = {0.5, -1}})), "query: margin: must be in [0, 1e30]");
+    EXPECT_EQ(refusal(with({.time_tolerance = 0})), "query: time_tolerance: must be in [1e-9, 1]");
+    const DistanceProfile found = ask(cube, cube, Motion::at_rest(shifted(5, 0, 0)));
+    EXPECT_EQ(refusal([&] { (void)found.zones(-1); }), "query: margin: must be in [0, 1e30]");
+}
+
+} // namespace
+} // namespace chasles::test
