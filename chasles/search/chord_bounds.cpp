@@ -1,5 +1,6 @@
 #include "chasles/search/chord_bounds.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/culling/split_nodes.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The search for a lower bound may fall below the distance at the knots by this part of the widths; without that, all
-/// pairs of faces that are nearly as near as the nearest ones have to be looked at. Measured with profile_bench.
+/// pairs of faces that are nearly as near as the nearest ones have to be looked at.
 constexpr double share_of_search = 0.35;
 
 motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
@@ -52,8 +53,8 @@ double lowest(const BvhNode& node, const algebra::Vector3<double>& n) {
            std::min(n.z * node.lower[2], n.z * node.upper[2]);
 }
 
-bool is_planar_and_convex(const Body& body, std::uint32_t face) {
-    return body.face(face).size() == 3;
+bool is_convex(const Body& body, std::uint32_t face) {
+    return body.face_triangles(face).empty();
 }
 
 } // namespace
@@ -149,10 +150,10 @@ double ChordBounds::way_of_points(const NearKnot& from, const NearKnot& to) {
     const auto shorten = [&](double error, const Vector3d& a, const Vector3d& b) {
         way = std::min(way, (a - b).norm() + error);
     };
-    if (features.kind == ContactKind::vertex_face && is_planar_and_convex(fixed, features.fixed.first)) {
+    if (features.kind == ContactKind::vertex_face && is_convex(fixed, features.fixed.first)) {
         const contact::FaceAtRest& face = fixed_face_.of(fixed, features.fixed.first);
         shorten(face.nearest_error(), point, face.nearest(point));
-    } else if (features.kind == ContactKind::face_vertex && is_planar_and_convex(moving, features.moving.first)) {
+    } else if (features.kind == ContactKind::face_vertex && is_convex(moving, features.moving.first)) {
         const contact::FaceAtRest& face = moving_face_.of(moving, features.moving.first);
         shorten(face.nearest_error(), other, face.nearest(other));
     } else if (features.kind == ContactKind::edge_edge) {
@@ -247,7 +248,10 @@ std::optional<LinearBound> ChordBounds::lower(const culling::SweptBoxes& boxes, 
     const std::span<const BvhNode> moving = context_.moving().bvh().nodes(), fixed = context_.fixed().bvh().nodes();
     LinearBound least = wanted.value_or(most);
     stack_.assign(1, {0, 0});
+    Watch watch;
     while (!stack_.empty()) {
+        if (watch.is_over(1))
+            return wanted ? std::nullopt : std::optional(LinearBound{-infinity, -infinity});
         const auto [i, j] = stack_.back();
         stack_.pop_back();
         if (moving[i].is_leaf() && fixed[j].is_leaf()) {

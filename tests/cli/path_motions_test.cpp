@@ -202,7 +202,9 @@ TEST_F(PathMotions, SayWhyTheyAreUncertain) {
     const std::string at_the_end = "at the end of the motion";
     write("through.csv", way + "-1" + end);
     const std::string through = text("through.csv --motion velocity");
-    EXPECT_NE(through.find("certain   no: a rounding error decides whether the features named here meet"), std::string::npos) << through;
+    EXPECT_NE(through.find("certain   no: a rounding error decides whether the features named here meet"),
+              std::string::npos)
+        << through;
     write("up_to.csv", way + "2" + end);
     const std::string up_to = text("up_to.csv --motion velocity");
     EXPECT_NE(up_to.find(at_the_end), std::string::npos) << up_to;
