@@ -100,9 +100,9 @@ int run_profile(const ProfileCommand& options) {
                          .absolute_tolerance = number_of("--absolute-tolerance", options.absolute_tolerance)};
     for (const std::string& margin : options.margins)
         asked.margins.push_back(number_of("--margins", margin));
-    if (!options.plot.empty() && std::filesystem::path(options.plot).extension() != ".svg")
+    if (std::filesystem::path(options.plot).extension() == ".png")
         throw InvalidInput("--plot: " + options.plot +
-                           ": pictures are .svg files, which browsers show; Python's profile.plot() writes others");
+                           ": pictures are SVG: name a file .svg; Python's profile.plot() draws others");
     const OneMotion question = read_one_motion(options.question);
     std::optional<OutputFile> csv, plot; // refused before the answer is looked for
     if (!options.csv.empty())

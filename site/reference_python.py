@@ -27,7 +27,10 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
         ["first_contact_batch", "least_distance_batch", "path_is_clear_batch", "BatchInterrupted", "empty_table",
          "motion_dtype", "path_dtype", "least_dtype", "Limit", "Cancelled"],
     ),
-    "least-distance": ("The least distance", ["least_distance", "LeastDistance"]),
+    "least-distance": (
+        "The least distance, and the distance over time",
+        ["least_distance", "LeastDistance", "profile", "DistanceProfile"],
+    ),
     "scenes": ("Scenes", ["Scene", "SceneContact", "UntestedPairs", "Stepper", "StepEvent", "CollisionManager"]),
     "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock", "MassProperties"]),
     "robots": (

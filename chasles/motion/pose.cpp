@@ -90,23 +90,30 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     return rotation;
 }
 
-/// The quaternion of a rotation, of a length between 2 and 4: without a root, quarter turns are exact.
-Eigen::Quaterniond quaternion_of(const Eigen::Matrix3d& r) {
+/// The quaternion of a turn that carries axes to axes, of a length between 1/2 and 1: without a root it is exact.
+Eigen::Quaterniond quarter_turns(const Eigen::Matrix3d& r) {
     int i = 0; // the axis that turns least
     if (r(1, 1) > r(0, 0))
         i = 1;
     if (r(2, 2) > r(i, i))
         i = 2;
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double others = r(j, j) + r(k, k), w = 1 + (r(i, i) + others), along = 1 + (r(i, i) - others);
-    if (w >= along)
-        return {w, r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)};
-    Eigen::Quaterniond q;
-    q.w() = r(k, j) - r(j, k);
-    q.coeffs()[i] = along;
-    q.coeffs()[j] = r(j, i) + r(i, j);
-    q.coeffs()[k] = r(k, i) + r(i, k);
+    const double others = r(j, j) + r(k, k), w = 1 + r(i, i) + others, along = 1 + r(i, i) - others;
+    Eigen::Quaterniond q(w, r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
+    if (along > w) {
+        q.w() = r(k, j) - r(j, k);
+        q.coeffs()[i] = along;
+        q.coeffs()[j] = r(j, i) + r(i, j);
+        q.coeffs()[k] = r(k, i) + r(i, k);
+    }
+    q.coeffs() *= 0.25;
     return q;
+}
+
+Eigen::Quaterniond quaternion_of(const Eigen::Matrix3d& rotation) {
+    constexpr double rounding = 1e-15; // of sines and cosines of quarter turns
+    const Eigen::Matrix3d whole = rotation.array().round();
+    return (rotation - whole).cwiseAbs().maxCoeff() <= rounding ? quarter_turns(whole) : Eigen::Quaterniond(rotation);
 }
 
 } // namespace

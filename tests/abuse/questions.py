@@ -55,6 +55,7 @@ QUESTIONS = {
     for question in [
         Question("check", ("check", *BODIES, "MOTION", "--json"), BODIES),
         Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
+        Question("profile", ("profile", *BODIES, "MOTION"), BODIES, (file("--csv"), file("--plot"))),
         Question("view", ("view", *BODIES, "MOTION"), BODIES, (file("--out"),)),
         Question("path", ("path", *BODIES, "--poses", "poses.csv", "--motion", "velocity"), (*BODIES, "poses.csv")),
         Question(

@@ -30,7 +30,7 @@ TEST(ParsePose, TakesQuaternionsOfAnyLengthWithTheRealPartFirst) {
 TEST(ParsePose, TakesMatricesRowByRow) {
     const Pose pose = parse_pose("0 -1 0 4  1 0 0 5  0 0 1 6  0 0 0 1");
     EXPECT_EQ(pose.translation, Eigen::Vector3d(4, 5, 6));
-    EXPECT_TRUE((pose.rotation * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
+    EXPECT_EQ(pose.isometry().linear() * Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
 }
 
 TEST(ParsePose, RefusesOtherCounts) {
