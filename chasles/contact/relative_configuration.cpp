@@ -121,6 +121,16 @@ Eigen::Vector3d RelativeConfiguration::moved(const Eigen::Vector3d& body_point) 
     return product(turn_, body_point) + shift_;
 }
 
+motion::MatrixPose RelativeConfiguration::pose() const {
+    motion::MatrixPose pose;
+    for (int i = 0; i < 3; ++i) {
+        pose.translation[i] = shift_[i];
+        for (int j = 0; j < 3; ++j)
+            pose.rotation.row[i][j] = turn_(i, j);
+    }
+    return pose;
+}
+
 Eigen::Vector3d RelativeConfiguration::velocity_at(const Eigen::Vector3d& point) const {
     return product(turn_rate_, product(turn_.transpose(), point - shift_)) + shift_rate_;
 }

@@ -6,6 +6,7 @@
 #include "chasles/contact/feature_pair.h"
 #include "chasles/mesh/body.h"
 #include "chasles/motion/control_maps.h"
+#include "chasles/motion/matrix_pose.h"
 
 namespace chasles::contact {
 
@@ -46,6 +47,8 @@ public:
         return product(turn_.transpose(), direction);
     }
     [[nodiscard]] Eigen::Vector3d moved_back(const Eigen::Vector3d& point) const { return turned_back(point - shift_); }
+    /// Of the moving body.
+    [[nodiscard]] motion::MatrixPose pose() const;
     /// The velocity of the moving body at a point, per unit of tau.
     [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
 

@@ -27,7 +27,28 @@ const Vector3<double>& least_along(const Vector3<double>& direction, const std::
     return *least;
 }
 
+/// The point on the way from one point to another one that is nearest to 0: a step of Gilbert's algorithm.
+Vector3<double> step_towards(const Vector3<double>& nearest, const Vector3<double>& farthest) {
+    const Vector3<double> way = farthest - nearest;
+    return nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+}
+
 } // namespace
+
+template <class Nearer>
+bool FaceSeparation::approach(int most_steps, double enough, WidestGap& widest, Nearer nearer) const {
+    Vector3<double> nearest = between_means_;
+    for (int step = 0; step < most_steps; ++step) {
+        const double distance = length(nearest);
+        if (!(distance > 0))
+            break;
+        const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
+        if (widest.gap > enough * distance)
+            return true;
+        nearest = nearer(nearest, farthest);
+    }
+    return false;
+}
 
 /// Gilbert's algorithm: `nearest` is a point of the difference of both convex hulls, and moves to the point nearest to
 /// 0 on the way to the support along it.
@@ -44,8 +65,7 @@ std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_fa
         const double gap = dot(nearest, farthest);
         if (gap > 0 && gap * gap > distance * distance * square)
             return nearest;
-        const Vector3<double> way = farthest - nearest;
-        nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+        nearest = step_towards(nearest, farthest);
     }
     return std::nullopt;
 }
@@ -58,17 +78,8 @@ std::optional<FaceSeparation::Direction> FaceSeparation::widest(std::uint32_t mo
     constexpr double enough = 0.9; // of the distance
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
-    Vector3<double> nearest = between_means_;
-    for (int step = 0; step < most_steps; ++step) {
-        const double distance = length(nearest);
-        if (!(distance > 0))
-            break;
-        const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
-        if (widest.gap > enough * distance)
-            return Direction{widest.direction, no_axis};
-        const Vector3<double> way = farthest - nearest;
-        nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
-    }
+    if (approach(most_steps, enough, widest, step_towards))
+        return Direction{widest.direction, no_axis};
     for (Axis axis = 1; axis < end_of_axes(); ++axis)
         try_axis(axis, widest);
     return widest.gap > 0 ? std::optional(Direction{widest.direction, widest.axis}) : std::nullopt;
@@ -97,8 +108,7 @@ std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face,
         const Vector3<double> farthest = try_direction(scale(nearest, 1 / most), widest);
         if (widest.gap > distance)
             break;
-        const Vector3<double> way = farthest - nearest;
-        nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+        nearest = step_towards(nearest, farthest);
     }
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
@@ -112,16 +122,7 @@ std::optional<Vector3<double>> FaceSeparation::nearest(std::uint32_t moving_face
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
     Simplex simplex; // of points of the difference of both hulls
-    Vector3<double> nearest = between_means_;
-    for (int step = 0; step < most_steps; ++step) {
-        const double distance = length(nearest);
-        if (!(distance > 0))
-            break;
-        const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
-        if (widest.gap >= enough * distance)
-            break;
-        nearest = simplex.add(farthest);
-    }
+    approach(most_steps, enough, widest, [&](const auto&, const auto& farthest) { return simplex.add(farthest); });
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
 

@@ -53,6 +53,10 @@ private:
     };
     static constexpr Axis first_of_edges = 3;
     Vector3<double> try_direction(const Vector3<double>& along, WidestGap& widest, Axis axis = no_axis) const;
+    /// Tries directions to points of the difference of both hulls, each nearer to 0 than the one before: `nearer` makes
+    /// it from that one and its support. True once the gap is this part of the distance.
+    template <class Nearer>
+    bool approach(int most_steps, double enough, WidestGap& widest, Nearer nearer) const;
     [[nodiscard]] Axis end_of_axes() const;
     void try_axis(Axis axis, WidestGap& widest) const;
     void try_across(const Vector3<double>& a, const Vector3<double>& b, Axis axis, WidestGap& widest) const;

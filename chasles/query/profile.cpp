@@ -130,11 +130,11 @@ ProfileSearch::Knot ProfileSearch::knot_at(double tau, const Features& guesses) 
         const FirstContact found = query::answer_or_unknown({moving_, fixed_, at_rest.trajectory(), QueryOptions{}});
         profile_.work += found.work;
         if (found.overlap)
-            return {chords_->touching_at(tau, found.overlap->point), Touch::meets};
-        if (found.inside)
-            return {nearest_at(tau, guesses), Touch::nested};
-        if (!found.contacts.empty() && radii_ == 0) // flush surfaces overlap without an edge through a face
-            return {chords_->touching_at(tau, found.contacts.front().point), Touch::meets};
+            return {chords_->crossing_at(tau, found.overlap->point), Touch::meets};
+        const Touch touch = found.inside                                 ? Touch::nested
+                            : found.verdict == Verdict::contact_at_start ? Touch::meets
+                                                                         : Touch::apart;
+        return {nearest_at(tau, guesses), touch};
     }
     return {nearest_at(tau, guesses), Touch::apart};
 }
@@ -150,7 +150,8 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
         return share_of_bounds * width_at(knot.touch == Touch::apart ? knot.near.distance : 0);
     };
     const bool is_nested = start.touch == Touch::nested || end.touch == Touch::nested;
-    if (is_nested && !is_last)
+    const double depth = radii_ - std::min(start.near.distance, end.near.distance); // where the widths are those of touch
+    if (!is_last && (is_nested || depth > options_.absolute_tolerance))
         return std::nullopt;
     if (is_nested || is_cancelled()) {
         profile_.certain = profile_.certain && is_nested;
@@ -288,17 +289,6 @@ void ProfileSearch::add_step(double from, double to, double lower, double upper)
     }
 }
 
-void check_options(const ProfileOptions& options) {
-    query::check_options(QueryOptions{});
-    query::require(options.tolerance >= 1e-4 && options.tolerance <= 1, "tolerance", "must be in [1e-4, 1]");
-    query::require(options.absolute_tolerance >= 0 && std::isfinite(options.absolute_tolerance), "absolute_tolerance",
-                   "must be at least 0, and finite");
-    query::require(options.time_tolerance >= 1e-9 && options.time_tolerance <= 1, "time_tolerance",
-                   "must be in [1e-9, 1]");
-    for (const double margin : options.margins)
-        query::check_options(QueryOptions{.margin = margin});
-}
-
 /// Adds a part of time, which may continue the last one.
 void extend(std::vector<Bracket>& intervals, const Bracket& part) {
     if (!intervals.empty() && intervals.back().upper == part.lower)
@@ -309,10 +299,10 @@ void extend(std::vector<Bracket>& intervals, const Bracket& part) {
 
 } // namespace
 
-DistanceProfile profile(const ProfileQuery& query) {
-    check_options(query.options);
-    check_motion(query.moving, query.fixed, query.motion);
-    return ProfileSearch(query).run();
+DistanceProfile profile(const ProfileQuery& question) {
+    query::check_options(question.options);
+    check_motion(question.moving, question.fixed, question.motion);
+    return ProfileSearch(question).run();
 }
 
 Zones DistanceProfile::zones(double margin) const {

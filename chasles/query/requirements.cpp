@@ -5,6 +5,7 @@
 #include "chasles/base/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chasles::query {
 
@@ -45,6 +46,16 @@ void check_options(const LeastDistanceOptions& options) {
     require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
     require(options.find != Find::any, "find", "a least distance has no use for `any`");
     check_options(QueryOptions{.time_tolerance = options.time_tolerance});
+}
+
+void check_options(const ProfileOptions& options) {
+    check_options(QueryOptions{});
+    require(options.tolerance >= 1e-4 && options.tolerance <= 1, "tolerance", "must be in [1e-4, 1]");
+    require(options.absolute_tolerance >= 0 && std::isfinite(options.absolute_tolerance), "absolute_tolerance",
+            "must be at least 0, and finite");
+    require(options.time_tolerance >= 1e-9 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-9, 1]");
+    for (const double margin : options.margins)
+        check_options(QueryOptions{.margin = margin});
 }
 
 std::string refusal_of(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {

@@ -5,6 +5,7 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
+#include "chasles/query/profile.h"
 
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ void check_options(const QueryOptions& options);
 /// Pairs of bodies may have margins of their own: `of_some_pair` is the largest one.
 void check_options(const QueryOptions& options, double of_some_pair);
 void check_options(const LeastDistanceOptions& options);
+void check_options(const ProfileOptions& options);
 
 /// Why the motion is refused for these bodies; empty if it is not. An enclosed motion must not go farther than 1e10
 /// times the radius of the larger body (docs/decisions/0012-range-of-coordinates.md).

@@ -21,14 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// pairs of faces that are nearly as near as the nearest ones have to be looked at.
 constexpr double share_of_search = 0.35;
 
-motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
-    motion::MatrixPose pose;
-    pose.translation = motion::vector_in<double>(bodies.moved(Vector3d::Zero()));
-    for (int i = 0; i < 3; ++i)
-        pose.rotation.row[i] = motion::vector_in<double>(bodies.turned_back(Vector3d::Unit(i)));
-    return pose;
-}
-
 Vector3d eigen(const algebra::Vector3<double>& v) {
     return {v.x, v.y, v.z};
 }
@@ -61,7 +53,7 @@ bool is_convex(const Body& body, std::uint32_t face) {
 
 NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesses, double accuracy) {
     const contact::RelativeConfiguration bodies = context_.configuration_at(tau);
-    NearKnot knot{.tau = tau, .distance = infinity, .features = {}, .points = {}, .pose = pose_of(bodies)};
+    NearKnot knot{.tau = tau, .distance = infinity, .features = {}, .points = {}, .pose = bodies.pose()};
     const auto use = [&](const FeaturePair& features) {
         const NearPoints points = nearest_.points(bodies, features);
         if (points.distance < knot.distance)
@@ -84,12 +76,12 @@ bool ChordBounds::are_beyond_at(const NearKnot& knot, double distance) {
     return lower(part_between(knot, knot).interval.boxes, wanted, wanted).has_value();
 }
 
-NearKnot ChordBounds::touching_at(double tau, const std::optional<Vector3d>& point) const {
-    NearKnot knot{
-        .tau = tau, .distance = 0, .features = {}, .points = {}, .pose = pose_of(context_.configuration_at(tau))};
-    if (point)
-        knot.points = contact::NearestPoints{*point, *point};
-    return knot;
+NearKnot ChordBounds::crossing_at(double tau, const Vector3d& point) const {
+    return {.tau = tau,
+            .distance = 0,
+            .features = {},
+            .points = {point, point},
+            .pose = context_.configuration_at(tau).pose()};
 }
 
 /// Points of both bodies that are no farther apart than the distance at either end stay near their chords.
@@ -134,12 +126,10 @@ LinearBound ChordBounds::upper(const NearKnot& start, const NearKnot& end) {
     return later.end - end.distance < earlier.start - start.distance ? later : earlier;
 }
 
-/// The points that are nearest at one knot: how far the one is at the other knot from a convex part of the other
-/// surface that contains the other one.
+/// Of two points that are nearest at one knot: how far one of them is, at the other knot, from a convex part of the
+/// other surface.
 double ChordBounds::way_of_points(const NearKnot& from, const NearKnot& to) {
-    if (!from.points)
-        return infinity;
-    const auto& [on_moving, on_fixed] = *from.points;
+    const auto& [on_moving, on_fixed] = from.points;
     const Body &moving = context_.moving(), &fixed = context_.fixed();
     const Vector3d point = moved(to.pose, moved_back(from.pose, on_moving)); // of the moving body
     const Vector3d other = moved_back(to.pose, on_fixed); // of the fixed body, seen by the moving one
@@ -169,8 +159,8 @@ void ChordBounds::use_directions(const NearKnot& start, const NearKnot& end) {
     std::array<Vector3d, 2> found;
     std::size_t count = 0;
     for (const NearKnot* knot : {&start, &end})
-        if (knot->points && knot->distance > 0)
-            found[count++] = knot->points->apart().stableNormalized();
+        if (knot->distance > 0)
+            found[count++] = knot->points.apart().stableNormalized();
     if (count == 2 && (found[0] + found[1]).norm() > 0)
         sights_.push_back(sight_along(motion::vector_in<double>((found[0] + found[1]).normalized())));
     for (std::size_t i = 0; i < count; ++i)

@@ -36,10 +36,8 @@ struct NearKnot {
     double tau = 0;
     double distance = 0; ///< of the points
     contact::FeaturePair features;
-    /// Nearest points, or twice one where the surfaces meet, in the frame of the fixed body. Empty if the bodies touch,
-    /// but no point is known where, as if one is inside of the other one.
-    std::optional<contact::NearestPoints> points;
-    motion::MatrixPose pose; ///< of the moving body in the frame of the fixed one
+    contact::NearestPoints points; ///< in the frame of the fixed body; twice one where the surfaces meet
+    motion::MatrixPose pose;       ///< of the moving body in the frame of the fixed one
 };
 
 /// Bounds the distance of two surfaces over parts of one piece. The context is kept by reference. For one thread.
@@ -51,8 +49,8 @@ public:
     /// The nearest features at a tau: no others are nearer than this times their distance. `guesses` may be near each
     /// other there.
     NearKnot nearest_at(double tau, std::span<const contact::FeaturePair> guesses, double accuracy);
-    /// The bodies touch there, in this point of the fixed body's frame if one is known.
-    [[nodiscard]] NearKnot touching_at(double tau, const std::optional<Eigen::Vector3d>& point) const;
+    /// The surfaces pass through each other there, in this point of the fixed body's frame.
+    [[nodiscard]] NearKnot crossing_at(double tau, const Eigen::Vector3d& point) const;
 
     /// The bounds between two knots. With `widths`, empty if they are farther apart than that at either end; without,
     /// as near as the knots allow.

@@ -70,21 +70,13 @@ private:
     culling::SweptBoxes boxes_;
 };
 
-motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
-    motion::MatrixPose pose;
-    pose.translation = motion::vector_in<double>(bodies.moved(Vector3d::Zero()));
-    for (int i = 0; i < 3; ++i)
-        pose.rotation.row[i] = motion::vector_in<double>(bodies.turned_back(Vector3d::Unit(i)));
-    return pose;
-}
-
 /// One search, depth first, the nearer nodes before the farther ones.
 class NearestSearch {
 public:
     NearestSearch(const contact::RelativeConfiguration& bodies, const NearestGoal& goal)
         : bodies_(bodies), goal_(goal), boxes_(bodies), separation_(bodies.moving(), bodies.fixed()),
           bound_(goal.bound) {
-        separation_.use(culling::IntervalEnds(pose_of(bodies)));
+        separation_.use(culling::IntervalEnds(bodies.pose()));
     }
 
     std::optional<NearestFeatures> run() {

@@ -117,6 +117,19 @@ TEST(Profile, NamesTheTimesThatAreFree) {
         found, [](double time) { return std::max(0.0, std::abs(10 * time - 6) - 2); }, 200);
 }
 
+/// Round bodies touch while their polyhedra are apart.
+TEST(Profile, RoundBodiesAreFreeUntilTheirRadiiMeet) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron().with_radius(0.5);
+    const DistanceProfile found = ask(cube, cube, Motion::slider({1, 0, 0}, {-4, 8}));
+    EXPECT_TRUE(found.certain);
+    const std::vector<Bracket> free = found.free();
+    ASSERT_EQ(free.size(), 2U);
+    EXPECT_NEAR(free[0].upper, 0.125, 1e-6);
+    EXPECT_NEAR(free[1].lower, 0.875, 1e-6);
+    expect_holds(
+        found, [](double time) { return std::max(0.0, std::abs(8 * time - 4) - 3); }, 200);
+}
+
 TEST(Profile, ZonesEndWhereMarginsAreCrossed) {
     const Polyhedron cube = box({1, 1, 1}).polyhedron();
     const DistanceProfile found =
