@@ -1,4 +1,4 @@
-// Joins each option with the numbers that follow it. CLI11 would otherwise parse "-.5" as an option.
+// Joins each option that takes several numbers with those that follow it, and refuses empty values.
 #include "cli/arguments.h"
 
 #include "chasles/base/invalid_input.h"
@@ -6,23 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace chasles::cli {
 namespace {
 
-constexpr auto takes_numbers =
+constexpr auto take_numbers =
     std::to_array<std::string_view>({"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre", "--fixed-centre",
                                      "--lock-axis", "--lock-point"});
-constexpr auto takes_number = std::to_array<std::string_view>(
-    {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads", "--friction"});
-constexpr auto takes_file = std::to_array<std::string_view>(
-    {"--out", "--page", "--save", "--poses", "--motions", "--goals", "--path", "--scene", "--srdf"});
-
-template <typename Names>
-bool contains(const Names& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // Whether the argument is one or more numbers, separated by blanks or commas.
 bool holds_numbers(std::string argument) {
@@ -37,39 +29,42 @@ bool holds_numbers(std::string argument) {
     return true;
 }
 
-// CLI11 would take the next argument for the value that is missing, and an empty name for an option that is not given.
-void require_value(std::string_view option, std::string_view value) {
-    if (value.empty())
-        throw InvalidInput(std::string(option) + ": is empty, but takes " +
-                           (contains(takes_file, option) ? "the name of a file" : "numbers"));
+// The value that follows an option, as "--option=value" or as the next argument. Empty if there is none.
+std::optional<std::string_view> value_at(const std::vector<std::string>& arguments, std::size_t i) {
+    const std::string_view argument = arguments[i];
+    if (const std::size_t sign = argument.find('='); sign != std::string_view::npos)
+        return argument.substr(sign + 1);
+    return i + 1 < arguments.size() ? std::optional<std::string_view>(arguments[i + 1]) : std::nullopt;
 }
 
-// Checks "--option=" and "--option" followed by an empty argument.
-void check_value(const std::vector<std::string>& arguments, std::size_t i) {
-    const std::string_view argument = arguments[i];
-    const std::size_t sign = argument.find('=');
-    const std::string_view name = argument.substr(0, sign);
-    if (!contains(takes_numbers, name) && !contains(takes_number, name) && !contains(takes_file, name))
-        return;
-    if (sign != std::string_view::npos)
-        require_value(name, argument.substr(sign + 1));
-    else if (i + 1 < arguments.size())
-        require_value(name, arguments[i + 1]);
+// CLI11 would take the next argument for the value that is missing, and an empty name for an option that is not given.
+void require_value(const CLI::App& command, const std::vector<std::string>& arguments, std::size_t i) {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    const CLI::Option* const option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
+    if (option && option->get_items_expected_max() > 0 && value_at(arguments, i) == "")
+        throw InvalidInput(name + ": is empty, but takes " + option->get_type_name());
 }
 
 } // namespace
 
+void require_values(const CLI::App& app, const std::vector<std::string>& arguments) {
+    const auto is_asked = [&](const CLI::App* command) {
+        return !arguments.empty() && command->get_name() == arguments.front();
+    };
+    for (const CLI::App* command : app.get_subcommands(is_asked))
+        for (std::size_t i = 1; i < arguments.size(); ++i)
+            require_value(*command, arguments, i);
+}
+
 std::vector<std::string> join_numbers(const std::vector<std::string>& arguments) {
     std::vector<std::string> joined;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        check_value(arguments, i);
         joined.push_back(arguments[i]);
-        const bool takes_many = contains(takes_numbers, arguments[i]);
-        const bool takes_any = takes_many || contains(takes_number, arguments[i]);
-        if (!takes_any || i + 1 == arguments.size() || arguments[i + 1].starts_with("--"))
+        const bool takes_numbers = std::ranges::find(take_numbers, arguments[i]) != take_numbers.end();
+        if (!takes_numbers || i + 1 == arguments.size() || arguments[i + 1].starts_with("--"))
             continue;
         joined.back() += "=" + arguments[++i];
-        while (takes_many && i + 1 < arguments.size() && holds_numbers(arguments[i + 1]))
+        while (i + 1 < arguments.size() && holds_numbers(arguments[i + 1]))
             joined.back() += " " + arguments[++i];
     }
     return joined;

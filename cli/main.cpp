@@ -68,6 +68,7 @@ int show_help(const CLI::App& app, const CLI::ParseError& error) {
 
 // CLI11 requires the arguments in reverse order.
 void parse(CLI::App& app, const std::vector<std::string>& arguments) {
+    require_values(app, arguments);
     std::vector<std::string> reversed = join_numbers(arguments);
     std::reverse(reversed.begin(), reversed.end());
     app.parse(reversed);

@@ -50,15 +50,18 @@ view::Json intervals_json(const std::vector<Bracket>& intervals) {
     return json;
 }
 
-view::Json profile_json(const DistanceProfile& found, const std::vector<double>& margins) {
+view::Json profile_json(const DistanceProfile& found, const std::vector<double>& margins, ExitStatus status) {
     view::Json zones = view::Json::array();
     for (const double margin : margins) {
         const Zones parts = found.zones(margin);
         zones.push_back(
             {{"margin", margin}, {"inside", intervals_json(parts.inside)}, {"doubt", intervals_json(parts.doubt)}});
     }
-    return {{"times", found.times},     {"lower", found.lower}, {"upper", found.upper},
-            {"certain", found.certain}, {"zones", zones},       {"free", intervals_json(found.free())}};
+    view::Json json{{"times", found.times},     {"lower", found.lower}, {"upper", found.upper},
+                    {"certain", found.certain}, {"zones", zones},       {"free", intervals_json(found.free())}};
+    if (status == is_unknown)
+        json["verdict"] = view::name_of(Verdict::unknown);
+    return json;
 }
 
 std::string profile_text(const DistanceProfile& found, const OneMotion& question, const std::vector<double>& margins) {
@@ -88,11 +91,14 @@ std::string csv_of(const DistanceProfile& found) {
     return text;
 }
 
-void write(std::optional<OutputFile>& file, const std::string& text) {
-    if (!file)
-        return;
-    file->write(text);
-    file->close();
+/// A file that is refused before the answer is looked for; empty without a name.
+std::optional<OutputFile> file_of(const std::string& name) {
+    return name.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, name);
+}
+
+void write(OutputFile& file, const std::string& text) {
+    file.write(text);
+    file.close();
 }
 
 int run_profile(const ProfileCommand& options) {
@@ -104,23 +110,26 @@ int run_profile(const ProfileCommand& options) {
         throw InvalidInput("--plot: " + options.plot +
                            ": pictures are SVG: name a file .svg; Python's profile.plot() draws others");
     const OneMotion question = read_one_motion(options.question);
-    std::optional<OutputFile> csv, plot; // refused before the answer is looked for
-    if (!options.csv.empty())
-        csv.emplace(options.csv);
-    if (!options.plot.empty())
-        plot.emplace(options.plot);
+    std::optional<OutputFile> csv = file_of(options.csv), plot = file_of(options.plot);
     const Limit limit(question.seconds);
     const DistanceProfile found = profile({.moving = question.bodies.moving,
                                            .fixed = question.bodies.fixed,
                                            .motion = question.motion,
                                            .options = asked});
-    write(csv, csv_of(found));
-    write(plot, profile_picture(found, asked.margins));
-    print(options.json ? profile_json(found, asked.margins).dump() + "\n"
-                       : profile_text(found, question, asked.margins));
-    if (!found.certain && limit.is_over())
-        return is_unknown;
-    return *std::ranges::min_element(found.lower) > 0 ? is_clear : is_contact;
+    if (csv)
+        write(*csv, csv_of(found));
+    if (plot)
+        write(*plot, profile_picture(found, asked.margins));
+    const Bracket least{*std::ranges::min_element(found.lower), *std::ranges::min_element(found.upper)};
+    const ExitStatus status = status_of(least, !found.certain && limit.is_over());
+    if (options.json) {
+        view::Json json = profile_json(found, asked.margins, status);
+        add_warnings(json, question.bodies.warnings);
+        print(json.dump() + "\n");
+    } else {
+        print(profile_text(found, question, asked.margins));
+    }
+    return status;
 }
 
 } // namespace

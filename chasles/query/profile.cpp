@@ -49,7 +49,7 @@ private:
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
     NearKnot nearest_at(double tau, const Features& guesses) {
-        return chords_->nearest_at(tau, guesses, 1 - 0.125 * options_.tolerance);
+        return chords_->nearest_at(tau, guesses, [&](double distance) { return 0.125 * width_at(distance); });
     }
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
@@ -150,7 +150,8 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
         return share_of_bounds * width_at(knot.touch == Touch::apart ? knot.near.distance : 0);
     };
     const bool is_nested = start.touch == Touch::nested || end.touch == Touch::nested;
-    const double depth = radii_ - std::min(start.near.distance, end.near.distance); // where the widths are those of touch
+    // How deep in touch, where the widths are those of touch.
+    const double depth = radii_ - std::min(start.near.distance, end.near.distance);
     if (!is_last && (is_nested || depth > options_.absolute_tolerance))
         return std::nullopt;
     if (is_nested || is_cancelled()) {

@@ -4,7 +4,6 @@
 #include "chasles/culling/split_nodes.h"
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -51,7 +50,7 @@ bool is_convex(const Body& body, std::uint32_t face) {
 
 } // namespace
 
-NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesses, double accuracy) {
+NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesses, const Error& error) {
     const contact::RelativeConfiguration bodies = context_.configuration_at(tau);
     NearKnot knot{.tau = tau, .distance = infinity, .features = {}, .points = {}, .pose = bodies.pose()};
     const auto use = [&](const FeaturePair& features) {
@@ -61,9 +60,9 @@ NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesse
     };
     for (const FeaturePair& features : guesses)
         use(features);
-    const double enough = accuracy * knot.distance;
+    const double enough = guesses.empty() ? infinity : knot.distance - error(knot.distance);
     if (guesses.empty() || !are_beyond_at(knot, enough))
-        if (const auto nearer = nearest_features(bodies, {enough, accuracy}, work_))
+        if (const auto nearer = nearest_features(bodies, {enough}, work_))
             use(nearer->features);
     return knot;
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -46,9 +47,10 @@ public:
     explicit ChordBounds(const PieceContext& context)
         : context_(context), separation_(context.moving(), context.fixed()) {}
 
-    /// The nearest features at a tau: no others are nearer than this times their distance. `guesses` may be near each
-    /// other there.
-    NearKnot nearest_at(double tau, std::span<const contact::FeaturePair> guesses, double accuracy);
+    /// How much nearer than the features that are found at a distance other ones may be.
+    using Error = std::function<double(double distance)>;
+    /// The nearest features at a tau, up to this error. `guesses` may be near each other there.
+    NearKnot nearest_at(double tau, std::span<const contact::FeaturePair> guesses, const Error& error);
     /// The surfaces pass through each other there, in this point of the fixed body's frame.
     [[nodiscard]] NearKnot crossing_at(double tau, const Eigen::Vector3d& point) const;
 

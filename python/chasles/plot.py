@@ -58,7 +58,7 @@ def plot(
         raise InvalidInput("plot: the limit was reached before the answer, so there is nothing to show")
     if found.moving is None:
         raise InvalidInput("plot: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all")
-    axes = axes or _new_axes()
+    axes = axes or new_axes(6.5, "3d")
     axes.computed_zorder = False  # fixed order: contacts are drawn in front of the bodies
     if found.is_swapped:
         found = found.swapped()  # the motion is that of the query
@@ -79,13 +79,14 @@ def plot(
     return axes
 
 
-def _new_axes() -> Axes3D:
+def new_axes(height: float, projection: str | None = None) -> Any:
+    """Axes in a new figure of this height in inches."""
     try:
         import matplotlib.pyplot as plt
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError("plot draws with matplotlib, which is not installed: pip install matplotlib") from error
 
-    return plt.figure(figsize=(8, 6.5), layout="constrained").add_subplot(projection="3d")
+    return plt.figure(figsize=(8, height), layout="constrained").add_subplot(projection=projection)
 
 
 def _poses(motion: Any) -> Any:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ._core import DistanceProfile
+from .plot import new_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,18 +29,9 @@ def plot_profile(profile: DistanceProfile, axes: Axes | None = None, *, margins:
     -------
     Axes
     """
-    axes = axes or _new_axes()
+    axes = axes or new_axes(4.5)
     axes.fill_between(profile.times, profile.lower, profile.upper, step="post", color=BAND, linewidth=1.2)
     for margin in margins:
         axes.axhline(margin, color=MARGIN, linestyle="--", linewidth=1)
     axes.set(xlabel="time, as a part of the motion", ylabel="distance", xlim=(0, 1), ylim=(0, None))
     return axes
-
-
-def _new_axes() -> Axes:
-    try:
-        import matplotlib.pyplot as plt
-    except ModuleNotFoundError as error:
-        raise ModuleNotFoundError("plot draws with matplotlib, which is not installed: pip install matplotlib") from error
-
-    return plt.figure(figsize=(8, 4.5), layout="constrained").add_subplot()

@@ -107,7 +107,7 @@ void answer_batch(nb::handle moving, nb::handle fixed, const RowMotions& motions
 
 const char* doubt_about(const Bracket& distance) {
     return distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
-                              : " (uncertain: the bodies may miss each other by a rounding error)";
+                              : " (uncertain: a rounding error decides whether the features named here meet)";
 }
 
 void bind_least_distance(nb::module_& module) {

@@ -157,7 +157,7 @@ TEST_F(Clearance, RefusesATolerance) {
     };
     for (const std::string tolerance : {"0", "-.5", "2", "1e-13"})
         EXPECT_EQ(error("--tolerance " + tolerance), "chasles: query: tolerance: must be in [1e-12, 1]");
-    EXPECT_EQ(error("--tolerance="), "chasles: --tolerance: is empty, but takes numbers");
+    EXPECT_EQ(error("--tolerance="), "chasles: --tolerance: is empty, but takes T");
     EXPECT_EQ(error("--tolerance x"), "chasles: --tolerance: not a number: 'x'");
     EXPECT_TRUE(error("--time-tolerance 2").starts_with("chasles: query: time_tolerance: "));
 }

@@ -71,11 +71,10 @@ TEST_F(Errors, PolygonThatIsNotPlanar) {
 
 TEST_F(Errors, OptionsWithoutTheirNumbers) {
     EXPECT_EQ(error_line("check cube.obj cube.obj --start= --goal=-1,.2,.3"),
-              "chasles: --start: is empty, but takes numbers");
+              "chasles: --start: is empty, but takes POSE");
     EXPECT_EQ(error_line("check cube.obj cube.obj --start '' --goal '3 0 0'"),
-              "chasles: --start: is empty, but takes numbers");
-    EXPECT_EQ(error_line("check cube.obj cube.obj --margin=" + poses),
-              "chasles: --margin: is empty, but takes numbers");
+              "chasles: --start: is empty, but takes POSE");
+    EXPECT_EQ(error_line("check cube.obj cube.obj --margin=" + poses), "chasles: --margin: is empty, but takes D");
 }
 
 TEST_F(Errors, ACentreMovesStraight) {

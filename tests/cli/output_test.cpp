@@ -108,7 +108,7 @@ TEST_F(Output, EachHasANameOfItsOwn) {
     for (const std::string page : {"new.csv", "./new.csv", "new.csv.part"})
         EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out new.csv --page " + page),
                   "chasles: " + page + ": is named by two options; give each output a name of its own");
-    EXPECT_EQ(error_line("scene scene.json --page ''"), "chasles: --page: is empty, but takes the name of a file");
+    EXPECT_EQ(error_line("scene scene.json --page ''"), "chasles: --page: is empty, but takes FILE");
 }
 
 TEST_F(Output, ReplacesTheFileBehindALinkAndKeepsItsMode) {

@@ -75,13 +75,15 @@ TEST(Profile, OfBallsOnAnArmAndOnALine) {
     }
 }
 
-/// All kinds of motions of boxes that turn, against the least distance of all pairs of triangles.
+/// All kinds of motions of boxes that turn, sharp or round, against the least distance of all pairs of triangles.
 TEST(Profile, IsNeverCrossedByTheDistancesOfAllTriangles) {
     Random random(61);
     int seen = 0;
     for (int i = 0; i < 40 * times_if_long(20); ++i) {
         const auto random_box = [&] {
-            return box({random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)}).polyhedron();
+            const Polyhedron sharp =
+                box({random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)}).polyhedron();
+            return random.chance(0.5) ? sharp : sharp.with_radius(random.uniform(0, 1));
         };
         const auto random_pose = [&] { return Pose(eigen(random.vector(4)), random_rotation(random)); };
         const Polyhedron moving = random_box(), fixed = random_box();
@@ -89,12 +91,13 @@ TEST(Profile, IsNeverCrossedByTheDistancesOfAllTriangles) {
         for (const Motion& motion : {Motion(ScrewMotion::between(start, goal)), Motion::velocity(start, goal),
                                      Motion(SweepMotion::between(start, goal)), Motion::twist(start, goal)}) {
             const DistanceProfile found = ask(moving, fixed, motion, {.tolerance = 0.02});
-            if (found.free().size() != 1 || found.free()[0].upper < 1)
+            if (found.free().size() != 1 || found.free()[0].lower > 0 || found.free()[0].upper < 1)
                 continue; // surfaces that cross have distances that are not 0
             ++seen;
             expect_narrow(found, 0.02, 1e-5);
-            expect_holds(
-                found, [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)); }, 100);
+            const double radii = moving.report().radius + fixed.report().radius;
+            const auto distance = [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)) - radii; };
+            expect_holds(found, distance, 100);
         }
     }
     EXPECT_GT(seen, 60);
