@@ -2,6 +2,7 @@
 #include "chasles/robot/model.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/robot/description_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -50,20 +51,6 @@ std::map<std::string, std::size_t, std::less<>> indices_of(const std::vector<Ite
     return indices;
 }
 
-void check_joint(const JointDescription& joint) {
-    const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
-    if (has_axis && (!joint.axis.allFinite() || !(joint.axis.cwiseAbs().maxCoeff() > 0)))
-        refuse(joint.name, "axis: must be finite and not zero");
-    if (std::isnan(joint.lower) || std::isnan(joint.upper) || joint.lower > joint.upper)
-        refuse(joint.name, "limits: the lower one must not be above the upper one");
-    if (!joint.mimic)
-        return;
-    if (!std::isfinite(joint.mimic->multiplier) || !std::isfinite(joint.mimic->offset))
-        refuse(joint.name, "mimic: multiplier and offset must be finite");
-    if (joint.type == JointType::planar || joint.type == JointType::floating)
-        refuse(joint.name, "mimic: a joint with several variables cannot follow another one");
-}
-
 /// The joint that a joint follows at last, and how: its value is multiplier * value + offset.
 struct Followed {
     const JointDescription* joint;
@@ -105,12 +92,13 @@ std::string why_not_followed(JointType type) {
 }
 
 void refuse(std::string_view what, std::string_view why) {
-    throw InvalidInput("robot: " + std::string(what) + ": " + std::string(why));
+    throw InvalidInput("robot: " + std::string(what) + (what.empty() ? "" : ": ") + std::string(why));
 }
 
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
     add_links();
+    check_parts(description);
     find_continuous();
     apply_pairs();
 }
@@ -154,7 +142,7 @@ RobotVariable variable_of_joint(const JointDescription& joint, const std::string
 void Model::add_variables() {
     indices_of(description.joints, "joint");
     for (const JointDescription& joint : description.joints) {
-        check_joint(joint);
+        check(joint);
         if (joint.mimic)
             continue;
         if (joint.type == JointType::floating)

@@ -78,8 +78,8 @@ public:
     /// Defined in chasles/robot/srdf_reader.cpp.
     static Robot load(const std::filesystem::path& urdf, const RobotFiles& files = {});
 
-    /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
-    /// repeats a name.
+    /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, repeats
+    /// a name, or has a value out of its range.
     explicit Robot(RobotDescription description);
     /// The robot that has these changes. Throws InvalidInput as the functions that make the changes.
     Robot(RobotDescription description, const RobotChanges& changes);

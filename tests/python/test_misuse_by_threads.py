@@ -247,7 +247,7 @@ ROBOT_CHANGES = {
     "test": lambda r, cube: r.test("base", "arm"),
 }
 ROBOT_READS = {
-    "collisions", "continuous", "first_contact", "first_contact_on_path", "is_tested", "least_distance", "limits",
+    "collisions", "continuous", "description", "first_contact", "first_contact_on_path", "is_tested", "least_distance", "limits",
     "link_pose", "link_poses", "links", "load", "name", "neutral", "prove_pairs", "shape", "state",
     "tested_pairs", "variables", "warnings", "warnings_about",
 }  # fmt: skip

@@ -237,6 +237,24 @@ TEST(Robot, RefusesWhatIsNoTree) {
               "robot: arm: has no link");
 }
 
+TEST(Robot, RefusesGroupsStatesAndShapesThatAreWrong) {
+    using D = RobotDescription;
+    const auto with_state = [](const std::string& joint, const std::vector<double>& values) {
+        return refusal_of([&](D& d) { d.states = {{"up", "", {{joint, values}}}}; });
+    };
+    EXPECT_EQ(refusal_of([](D& d) {
+                  d.groups = {{"all", {"joint1", "joint9"}}};
+              }),
+              "robot: all: there is no joint joint9");
+    EXPECT_EQ(refusal_of([](D& d) { d.groups = {{"all", {}, {"bar9"}}}; }), "robot: all: there is no link bar9");
+    EXPECT_EQ(with_state("joint9", {1}), "robot: up: there is no joint joint9");
+    EXPECT_EQ(with_state("joint1", {1, 2}), "robot: up: joint1: needs 1 values, and has 2");
+    EXPECT_EQ(with_state("joint1", {std::numeric_limits<double>::infinity()}), "robot: up: joint1: must be finite");
+    EXPECT_EQ(refusal_of([](D& d) { d.links[1].collisions.at(0).deviation = -1; }),
+              "robot: bar1: deviation: must be at least 0, and finite");
+    EXPECT_EQ(refusal([] { (void)Robot(RobotDescription()); }), "robot: has no link");
+}
+
 TEST(Robot, RefusesChainsOfMoreThanAThousandJoints) {
     const auto chain = [](int joints) {
         RobotDescription robot{"chain"};
