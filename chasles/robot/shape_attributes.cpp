@@ -35,19 +35,15 @@ std::string joined(const Names& names) {
 
 } // namespace
 
-void check_shape_attributes(const XmlFile& file, const XmlFile::Element& shape, std::vector<std::string>& warnings) {
+void check_shape_attributes(const XmlFile& file, const XmlFile::Element& shape) {
     const auto known = attributes_of.find(shape.Name());
     if (known == attributes_of.end())
         return;
     for (const auto* attribute = shape.FirstAttribute(); attribute; attribute = attribute->Next()) {
         const std::string_view name = attribute->Name();
-        if (is_in(known->second, name) || name.find(':') != std::string_view::npos)
-            continue;
-        const std::string why = "the attribute " + io::one_line(name) + " is not read; a " + std::string(known->first) +
-                                " has " + joined(known->second);
-        if (is_of_some_shape(name))
-            file.fail(shape, why);
-        warnings.push_back(file.place_of(shape) + why);
+        if (!is_in(known->second, name) && is_of_some_shape(name))
+            file.fail(shape, "the attribute " + io::one_line(name) + " is not read; a " + std::string(known->first) +
+                                 " has " + joined(known->second));
     }
 }
 

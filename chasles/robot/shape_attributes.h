@@ -5,8 +5,8 @@
 
 namespace chasles::robot {
 
-/// Fails for an attribute that belongs to another kind of shape (a sphere with a length). Warns of other attributes
-/// that the format does not have, unless their name has a namespace.
-void check_shape_attributes(const XmlFile& file, const XmlFile::Element& shape, std::vector<std::string>& warnings);
+/// Fails for an attribute that belongs to another kind of shape (a sphere with a length). Other attributes that the
+/// format does not have make a warning, by chasles/robot/unread_parts.h.
+void check_shape_attributes(const XmlFile& file, const XmlFile::Element& shape);
 
 } // namespace chasles::robot

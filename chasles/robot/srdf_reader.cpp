@@ -1,6 +1,7 @@
 // Reads pairs, groups and states of an SRDF file.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
+#include "chasles/robot/unread_parts.h"
 #include "chasles/robot/urdf_reader.h"
 #include "chasles/robot/xml_file.h"
 
@@ -282,6 +283,7 @@ void SrdfReader::read() {
     add_groups();
     add_states();
     add_warnings();
+    warn_of_unread_parts_of_srdf(file_, robot_.warnings);
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/primitive_shapes.h"
 #include "chasles/robot/shape_attributes.h"
+#include "chasles/robot/unread_parts.h"
 #include "chasles/robot/xml_file.h"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
                                    : "<geometry> has another shape already; write a second <collision>");
     const XmlElement* const shape = shapes[0];
     const std::string_view kind = shape->Name();
-    check_shape_attributes(file_, *shape, warnings_);
+    check_shape_attributes(file_, *shape);
     const Pose place = origin(element);
     const auto with_radius = [&](const Polyhedron& body) { return with_added_radius(body, files_.radius); };
     try {
@@ -329,6 +330,7 @@ RobotDescription UrdfReader::read() {
         mend_mimic(joint, robot);
     check_one_root();
     package_warnings_.add_to(warnings_, files_);
+    warn_of_unread_parts_of_urdf(file_, warnings_);
     robot.warnings = std::move(warnings_);
     try {
         (void)Robot(robot);

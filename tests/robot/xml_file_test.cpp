@@ -120,11 +120,6 @@ TEST_F(XmlFileTest, RefusesAttributesOfOtherShapes) {
               "robot.urdf:5: <cylinder>: the attribute scale is not read; a cylinder has radius and length");
     EXPECT_EQ(refused(box, R"(<mesh filename="cube.obj" size="1 1 1"/>)"),
               "robot.urdf:5: <mesh>: the attribute size is not read; a mesh has filename and scale");
-    const RobotDescription other = read(box, R"(<box size="1 2 3" drake:a="1" convex="true"/>)");
-    ASSERT_EQ(other.warnings.size(), 1U);
-    EXPECT_EQ(without_folder(other.warnings[0]),
-              "robot.urdf:5: <box>: the attribute convex is not read; a box has size");
-    EXPECT_TRUE(read(box, R"(<mesh filename="cube.obj" scale="1 2 3"/>)").warnings.empty());
 }
 
 TEST_F(XmlFileTest, AShapeAndTheAddedRadiusStayAboveZero) {
