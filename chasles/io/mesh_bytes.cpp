@@ -10,8 +10,6 @@
 namespace chasles::io {
 namespace {
 
-const std::string door_of_points = "the key \"points\" of a scene file or, in Python, load_points reads it";
-
 // "face 7: ..." from the mesh layer becomes "line 12: face 7: ...".
 std::string with_line(const std::string& why, const PolygonSoup& soup) {
     Words words(why);
@@ -50,13 +48,13 @@ PolygonSoup read_without_name(std::string_view bytes, std::string_view extension
     if (is_lfs_pointer(bytes))
         throw InvalidInput(lfs_way_out);
     refuse_other_content(bytes, lower_case(extension), formats_of_bytes);
-    refuse_other_kind(lower_case(extension));
+    refuse_other_kind(lower_case(extension), formats_of_bytes);
     const Reader reader = reader_for(extension);
     if (!reader)
         refuse_extension(extension, formats_of_bytes);
     if (bytes.empty())
         throw InvalidInput("is empty");
-    return with_faces(reader(bytes));
+    return with_faces(reader(bytes), formats_of_bytes);
 }
 
 // `work()`; every failure becomes InvalidInput with the name at the start of the message.
@@ -88,10 +86,10 @@ Reader reader_for(std::string_view extension) {
     return nullptr;
 }
 
-void refuse_other_kind(std::string_view extension) {
+void refuse_other_kind(std::string_view extension, const MeshFormats& formats) {
     if (extension == ".pcd" || extension == ".xyz")
-        throw InvalidInput("is a cloud of points, not a mesh; " + door_of_points);
-    const std::string door = "`chasles robot` or, in Python, `Robot.load`";
+        throw InvalidInput("is a cloud of points, not a mesh; " + std::string(formats.points));
+    const std::string door(formats.robots);
     if (extension == ".urdf")
         throw InvalidInput("is a robot, not a mesh; " + door + " reads it");
     if (extension == ".xacro")
@@ -99,13 +97,14 @@ void refuse_other_kind(std::string_view extension) {
                            " reads it");
     if (extension == ".srdf")
         throw InvalidInput("has the pairs and groups of a robot, not a mesh; it goes with a URDF file: " +
-                           std::string("chasles robot ROBOT.urdf --srdf FILE or, in Python, Robot.load(urdf, srdf)"));
+                           std::string(formats.pairs_of_robots));
     if (extension == ".sdf")
         throw InvalidInput("is no mesh; files of SDF (SDFormat) are not read: write the robot as URDF for " + door);
     if (extension == ".xml" || extension == ".mjcf")
         throw InvalidInput("is no mesh; models of MuJoCo (MJCF) are not read: write the robot as URDF for " + door);
     if (extension == ".yaml" || extension == ".yml")
-        throw InvalidInput("is no mesh; `chasles robot ROBOT.urdf --path FILE` reads a JointTrajectory of ROS as YAML");
+        throw InvalidInput("is no mesh; " + std::string(formats.paths_of_robots) +
+                           " reads a JointTrajectory of ROS as YAML");
 }
 
 void refuse_extension(std::string_view extension, const MeshFormats& formats) {
@@ -125,10 +124,10 @@ void refuse_other_content(std::string_view bytes, std::string_view extension, co
     refuse_step(bytes, extension, formats);
 }
 
-PolygonSoup with_faces(PolygonSoup soup) {
+PolygonSoup with_faces(PolygonSoup soup, const MeshFormats& formats) {
     if (soup.faces.empty())
         throw InvalidInput("has no face; a mesh needs at least one" +
-                           (soup.vertices.empty() ? "" : ". As a cloud of points, " + door_of_points));
+                           (soup.vertices.empty() ? "" : ". As a cloud of points, " + std::string(formats.points)));
     return soup;
 }
 

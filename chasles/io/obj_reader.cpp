@@ -1,5 +1,5 @@
-// Reads vertices and polygons from Wavefront OBJ. Groups, materials, normals, textures, points and lines are ignored.
-// Parts of the surface that cannot be read are refused with the line number.
+// Reads vertices and polygons from Wavefront OBJ. Groups, materials, normals, textures, points, lines and the
+// extensions of common programs are ignored. Parts of the surface that cannot be read are refused with the line number.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -21,8 +21,15 @@ constexpr auto ignored_keywords = std::to_array<std::string_view>(
 
 // Statements of material files. Some writers put them into the OBJ file itself.
 constexpr auto material_keywords = std::to_array<std::string_view>(
-    {"newmtl", "Ka",   "Kd",    "Ks",   "Ke",   "Ns", "Ni", "d",  "Tr", "Tf",  "illum", "sharpness",
-     "bump",   "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor"});
+    {"newmtl",    "Ka",   "Kd",   "Ks",    "Ke",   "Km",   "Kt", "Ns", "Ni", "Np", "d",   "Tr",    "Tf",    "illum",
+     "sharpness", "bump", "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor"});
+
+// Extensions: tags of subdivision (OpenSubdiv), weights of bones (tinyobjloader), colours of vertices, and another word
+// for usemtl. None of them changes the polygons.
+constexpr auto extension_keywords = std::to_array<std::string_view>({"t", "vw", "vc", "usemat"});
+
+// Statements that bring in other files, which may hold faces.
+constexpr auto calling_keywords = std::to_array<std::string_view>({"call", "csh"});
 
 // Statements that define a curved surface or curve. Ignoring them would lose a part of the surface.
 constexpr auto curved_keywords =
@@ -132,8 +139,11 @@ private:
             return; // some files start with a line of counts
         if (contains(curved_keywords, keyword))
             fail("curved surfaces cannot be read, only polygons: " + in_quotes(statement_));
+        if (contains(calling_keywords, keyword))
+            fail("other files and programs cannot be called: " + in_quotes(statement_) +
+                 "; put their faces into this file");
         const bool is_material = contains(material_keywords, keyword) || keyword.starts_with("map_");
-        if (!is_material && !contains(ignored_keywords, keyword))
+        if (!is_material && !contains(ignored_keywords, keyword) && !contains(extension_keywords, keyword))
             fail("not an OBJ statement: " + in_quotes(statement_));
     }
 

@@ -61,5 +61,24 @@ TEST(MeshBytes, EveryWayOutLeadsToAFormatThatIsReadHere) {
     EXPECT_EQ(refusal("PK\x03\x04", "a.stl"), "a.stl: is a ZIP archive; unpack it first");
 }
 
+// These readers are those of the npm package: it has no command line, no scene files and no robots.
+TEST(MeshBytes, NoWayOutNamesWhatOtherPackagesHave) {
+    const auto refusal = [](const std::string& bytes, const std::string& name) {
+        return message_of([&] { (void)io::read_polyhedron(bytes, name); });
+    };
+    EXPECT_EQ(refusal("v 0 0 0\n", "a.obj"), "a.obj: has no face; a mesh needs at least one. As a cloud of points, "
+                                             "chasles.points(points, radius) makes a body of its numbers");
+    EXPECT_EQ(refusal("0 0 0\n", "a.xyz"), "a.xyz: is a cloud of points, not a mesh; chasles.points(points, radius) "
+                                           "makes a body of its numbers");
+    EXPECT_EQ(refusal("<robot/>", "a.urdf"),
+              "a.urdf: is a robot, not a mesh; the command line or the Python package of Chasles reads it");
+    for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl", "a.bt", "a.pcd", "a.xyz", "a.urdf", "a.xacro",
+                                   "a.srdf", "a.sdf", "a.xml", "a.mjcf", "a.yaml", "a.yml", "a.glb", "a.fbx"})
+        for (const std::string bytes : {"v 0 0 0\n", "OFF\n1 0 0\n0 0 0\n", "solid a\nendsolid a\n", "", "<robot/>"})
+            for (const char* const other :
+                 {"scene file", "load_points", "`chasles ", "chasles robot", "Robot.load", "--"})
+                EXPECT_EQ(refusal(bytes, name).find(other), std::string::npos) << refusal(bytes, name);
+}
+
 } // namespace
 } // namespace chasles::tests

@@ -71,6 +71,14 @@ TEST(ReadObj, LeavesOutMaterialsInTheFile) {
     EXPECT_EQ(message("mapp 1\n"), "line 1: not an OBJ statement: 'mapp 1'");
 }
 
+TEST(ReadObj, LeavesOutExtensionsThatChangeNoPolygon) {
+    const std::string extensions = "t crease 2/1/0 1 2 4.7\nt interpolateboundary 1/0/0 1\nvw 0 0 1.0 1 0.25\n"
+                                   "vc 1 0.5 0\nusemat steel\n";
+    EXPECT_EQ(read_obj(extensions + three_vertices + extensions + "f 1 2 3\n" + extensions).faces.size(), 1U);
+    for (const char* const typing_error : {"tt 1\n", "vv 0 0 0\n", "V 0 0 0\n", "F 1 2 3\n"})
+        EXPECT_TRUE(message(typing_error).starts_with("line 1: not an OBJ statement: '")) << typing_error;
+}
+
 TEST(ReadObj, ReadsVerticesWithWeightOrColour) {
     const PolygonSoup soup = read_obj("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv +.5 1. -1e-3\nf 1 2 3\n");
     EXPECT_EQ(soup.vertices[2], Eigen::Vector3d(0.5, 1, -1e-3));
@@ -102,6 +110,9 @@ TEST(ReadObj, RefusesWhatWouldLoseASurface) {
     EXPECT_EQ(message("surf 0 1 0 1 1 2 3\n"),
               "line 1: curved surfaces cannot be read, only polygons: 'surf 0 1 0 1 1 2 3'");
     EXPECT_EQ(message(three_vertices + "face 1 2 3\n"), "line 4: not an OBJ statement: 'face 1 2 3'");
+    for (const std::string statement : {"call part.obj 1", "csh -make_part"})
+        EXPECT_EQ(message(three_vertices + statement + "\n"), "line 4: other files and programs cannot be called: '" +
+                                                                  statement + "'; put their faces into this file");
 }
 
 } // namespace
