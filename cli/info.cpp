@@ -40,6 +40,7 @@ view::Json body_json(const Polyhedron& body) {
             {"unpaired_edges", mesh.unpaired_edges},
             {"surface_parts", mesh.parts},
             {"solid_parts", mesh.solid_parts},
+            {"inward_parts", mesh.inward_parts},
             {"volume", mesh.volume},
             {"radius", mesh.radius},
             {"moved_inwards", mesh.moved_inwards},
@@ -57,13 +58,18 @@ std::string solid_text(const MeshReport& mesh, Solid solid) {
         fmt::format("along {} edges, faces do not run equally often in both directions", mesh.unpaired_edges);
     if (solid == Solid::no)
         return "no, as asked";
-    if (mesh.solid_parts == 0)
+    const std::size_t closed_parts = mesh.solid_parts + mesh.inward_parts;
+    if (closed_parts == 0)
         return "no: " + (mesh.unpaired_edges > 0 ? why : "no face has an area");
-    if (mesh.solid_parts == mesh.parts)
-        return (mesh.volume < 0 ? "no: turned inwards, " : "yes, ") + volume +
+    const std::string inwards =
+        mesh.inward_parts > 0 && mesh.parts > 1 ? fmt::format(", {} of them turned inwards", mesh.inward_parts) : "";
+    if (closed_parts == mesh.parts && (mesh.solid_parts == 0 || mesh.volume >= 0))
+        return (mesh.solid_parts == 0 ? "no: turned inwards, " : "yes, ") + volume +
                (mesh.closed ? "" : ", closed up to rounding") +
-               (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) : "");
-    return fmt::format("{} of {} connected parts, {}; {}", mesh.solid_parts, mesh.parts, volume, why);
+               (mesh.parts > 1 ? fmt::format(", {} connected parts", mesh.parts) + inwards : "");
+    return fmt::format("{} of {} connected parts, {}{}", mesh.solid_parts, mesh.parts, volume,
+                       closed_parts < mesh.parts ? "; " + why : "") +
+           (mesh.inward_parts > 0 ? fmt::format("; {} turned inwards", mesh.inward_parts) : "");
 }
 
 std::string body_report(const std::string& name, const Polyhedron& body, Solid solid) {

@@ -7,6 +7,7 @@
 #include "chasles/mesh/collapsed_faces.h"
 #include "chasles/mesh/face_outlines.h"
 #include "chasles/mesh/flat_features.h"
+#include "chasles/mesh/inward_parts.h"
 #include "chasles/mesh/mesh_edges.h"
 #include "chasles/mesh/ownership.h"
 #include "chasles/mesh/polygon_faces.h"
@@ -94,7 +95,8 @@ void add_volume(BodyParts& parts, std::span<const UnpairedEdge> unpaired, Solid 
     const Surface surface{parts.vertices, parts.outlines, unpaired, parts.bvh.centre()};
     parts.volume = find_volume(surface, solid);
     parts.report.parts = parts.volume.part_points.size();
-    parts.report.solid_parts = parts.volume.solid_parts;
+    parts.report.inward_parts = count_inward_parts(surface, parts.volume);
+    parts.report.solid_parts = parts.volume.solid_parts - parts.report.inward_parts;
     parts.report.unpaired_edges = parts.volume.unpaired_edges;
     parts.report.volume = signed_volume(surface, parts.volume);
     if (solid == Solid::yes && parts.report.volume < 0)

@@ -76,7 +76,7 @@ Polyhedron Polyhedron::from_outlines(std::span<const Eigen::Vector3d> vertices,
 Polyhedron Polyhedron::with_radius(double radius) const {
     check_radius(radius);
     const PolyhedronOptions options{
-        .triangulate = true, .solid = report().solid_parts > 0 ? Solid::automatic : Solid::no, .radius = radius};
+        .triangulate = true, .solid = body_->volume().is_solid() ? Solid::automatic : Solid::no, .radius = radius};
     return Polyhedron(
         std::make_shared<const Body>(radius < 0 ? moved(*body_, options) : made_again(*body_, vertices(), options)));
 }

@@ -53,8 +53,9 @@ struct MeshReport {
     std::size_t unpaired_edges = 0; ///< edges that faces do not run along equally often in both directions: of the rim,
                                     ///< and between faces that are turned differently; faces that are dropped counted
     std::size_t parts = 0;          ///< connected parts of the surface
-    std::size_t solid_parts = 0;    ///< parts whose volume belongs to the body; see Solid
-    double volume = 0; ///< of these, cubic mesh unit: what is turned inwards counts less than nothing, what is covered
+    std::size_t solid_parts = 0;    ///< closed parts whose volume belongs to the body; see Solid
+    std::size_t inward_parts = 0;   ///< closed parts that are turned inwards: rooms and cavities, which are empty
+    double volume = 0; ///< of both, cubic mesh unit: what is turned inwards counts less than nothing, what is covered
                        ///< twice counts twice
     Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< lower corner of the bounding box: of all used vertices,
                                                      ///< widened by the radius; in the length unit

@@ -132,7 +132,7 @@ def _round(body: Polyhedron, vertices: Array) -> list[Array]:
         thin = [outline for outline in outlines if len(set(outline)) < 3]
         coarse = _coarse(vertices, whole, MOST_TRIANGLES // 4)  # each may move to both sides
         outlines = thin + [tuple(triangle) for triangle in coarse.tolist()]
-    is_solid = report.solid_parts == report.parts and report.volume > 0
+    is_solid = report.solid_parts + report.inward_parts == report.parts and report.volume > 0
     return round_polygons(vertices, outlines, body.radius, MOST_TRIANGLES, is_solid=is_solid)
 
 

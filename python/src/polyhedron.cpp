@@ -158,8 +158,9 @@ nb::object packed_faces(const Body& body) {
 /// The constructor and its arguments for pickle. The new body has the same ids.
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
-    const Solid solid =
-        body.polyhedron.report().solid_parts > 0 ? Solid::automatic : Solid::no; // also of a robot's shape
+    const MeshReport report = body.polyhedron.report();
+    const bool is_solid = report.solid_parts + report.inward_parts > 0; // also of a robot's shape
+    const Solid solid = is_solid ? Solid::automatic : Solid::no;
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
     return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
                                                       body.options.threads, name_of(solid), body.polyhedron.radius()));
@@ -192,6 +193,7 @@ void bind_report(nb::module_& module) {
         .def_ro("unpaired_edges", &MeshReport::unpaired_edges, doc("MeshReport.unpaired_edges"))
         .def_ro("parts", &MeshReport::parts, doc("MeshReport.parts"))
         .def_ro("solid_parts", &MeshReport::solid_parts, doc("MeshReport.solid_parts"))
+        .def_ro("inward_parts", &MeshReport::inward_parts, doc("MeshReport.inward_parts"))
         .def_ro("volume", &MeshReport::volume, doc("MeshReport.volume"))
         .def_ro("radius", &MeshReport::radius, doc("MeshReport.radius"))
         .def_ro("moved_inwards", &MeshReport::moved_inwards, doc("MeshReport.moved_inwards"))

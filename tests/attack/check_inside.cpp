@@ -17,8 +17,9 @@ Polyhedron solid_copy(const Polyhedron& body) {
 std::optional<bool> is_inside(const Polyhedron& body, const Eigen::Vector3d& point, double error) {
     constexpr double doubt = 0.01, most_error = 1e-6; // bodies are some units large
     const MeshReport report = body.report();
-    if (report.solid_parts != report.parts)
-        return report.solid_parts == 0 ? std::optional(false) : std::nullopt;
+    const std::size_t closed_parts = report.solid_parts + report.inward_parts;
+    if (closed_parts != report.parts)
+        return closed_parts == 0 ? std::optional(false) : std::nullopt;
     if (error > most_error)
         return std::nullopt;
     const double winding = std::round(test::winding_by_solid_angles(body, point));

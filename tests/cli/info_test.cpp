@@ -36,5 +36,27 @@ TEST_F(Info, SaysWhatWasDropped) {
     EXPECT_EQ(mesh["closed"], false);
 }
 
+TEST_F(Info, CountsOnlyPartsThatEncloseSomethingAsSolid) {
+    const std::string room = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 3 2 1\nf 4 2 1\nf 3 4 1\nf 4 3 2\n";
+    const std::string inwards = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+    const std::string outwards = "v 5 0 0\nv 7 0 0\nv 5 2 0\nv 5 0 2\nf -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+    write("room.obj", inwards);
+    write("both.obj", inwards + outwards);
+    write("mixed.obj", room);
+    const auto parts = [&](const std::string& name) {
+        const auto mesh = nlohmann::json::parse(run("info " + name + " --json").out);
+        return std::array<int, 3>{mesh["surface_parts"], mesh["solid_parts"], mesh["inward_parts"]};
+    };
+    EXPECT_EQ(parts("room.obj"), (std::array{1, 0, 1}));
+    EXPECT_EQ(parts("both.obj"), (std::array{2, 1, 1}));
+    EXPECT_EQ(parts("mixed.obj"), (std::array{1, 0, 0}));
+    const auto says = [&](const std::string& name, const std::string& words) {
+        EXPECT_NE(run("info " + name).out.find(words), std::string::npos) << run("info " + name).out;
+    };
+    says("room.obj", "solid     no: turned inwards, volume -0.166666667: more of it is turned inwards");
+    says("both.obj", "solid     yes, volume 1.16666667, 2 connected parts, 1 of them turned inwards");
+    says("mixed.obj", "solid     no: along ");
+}
+
 } // namespace
 } // namespace chasles

@@ -43,7 +43,8 @@ std::vector<Polyhedron> closed_meshes() {
                 continue;
             const Polyhedron mesh = scaled(Polyhedron::load(entry.path(), {.triangulate = true}));
             const MeshReport report = mesh.report();
-            if (report.solid_parts == report.parts && report.parts <= 8 && mesh.face_count() < 4000)
+            if (report.solid_parts + report.inward_parts == report.parts && report.parts <= 8 &&
+                mesh.face_count() < 4000)
                 found.push_back(mesh);
         }
     return found;

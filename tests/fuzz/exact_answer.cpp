@@ -132,12 +132,16 @@ int winding_around(const reference::Surface& surface, const reference::Triple& p
             return *winding;
 }
 
+bool has_closed_parts(const Polyhedron& body) {
+    return body.report().solid_parts + body.report().inward_parts > 0;
+}
+
 /// Tests the pieces of a motion in order until a piece touches.
 class ExactSearch {
 public:
     ExactSearch(const Polyhedron& moving, const Polyhedron& fixed)
-        : moving_(surface_of(moving)), fixed_(surface_of(fixed)), moving_is_solid_(moving.report().solid_parts > 0),
-          fixed_is_solid_(fixed.report().solid_parts > 0) {}
+        : moving_(surface_of(moving)), fixed_(surface_of(fixed)), moving_is_solid_(has_closed_parts(moving)),
+          fixed_is_solid_(has_closed_parts(fixed)) {}
 
     ExactAnswer along(const ScrewMotion& whole) {
         ExactAnswer answer;

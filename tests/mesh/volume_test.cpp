@@ -74,6 +74,41 @@ TEST(Volume, FacesTurnedDifferentlyEncloseNothing) {
     EXPECT_EQ(Polyhedron::from_polygons(vertices, faces, {.solid = Solid::no}).report().solid_parts, 0U);
 }
 
+/// A room of normals that point into it encloses nothing solid; the cavity of a shell takes away from the part around
+/// it.
+TEST(Volume, PartsThatAreTurnedInwardsAreNotSolid) {
+    const auto report_of = [](std::initializer_list<std::pair<Eigen::Vector3d, double>> corners) {
+        std::vector<Eigen::Vector3d> vertices;
+        Outlines faces;
+        for (const auto& [place, size] : corners) // of a size below 0: mirrored, so turned inwards
+            add_corner(vertices, faces, place, size);
+        return Polyhedron::from_polygons(vertices, faces).report();
+    };
+    const MeshReport room = report_of({{{1, 2, 3}, -1}});
+    EXPECT_TRUE(room.closed);
+    EXPECT_EQ(room.solid_parts, 0U);
+    EXPECT_EQ(room.inward_parts, 1U);
+    EXPECT_NEAR(room.volume, -1 / 6., 1e-14);
+    const MeshReport shell = report_of({{{0, 0, 0}, 9}, {{2, 2, 2}, -1}, {{50, 0, 0}, 1}});
+    EXPECT_EQ(shell.parts, 3U);
+    EXPECT_EQ(shell.solid_parts, 2U);
+    EXPECT_EQ(shell.inward_parts, 1U);
+    for (const double size :
+         {1e-3, -1e-3}) { // its volume is far below the rounding of coordinates at this distance, cubed
+        const MeshReport far = report_of({{{0, 0, 0}, 1}, {{1e7, 3e6, -2e6}, size}});
+        EXPECT_EQ(far.inward_parts, size < 0 ? 1U : 0U);
+        EXPECT_EQ(far.solid_parts, size < 0 ? 1U : 2U);
+    }
+    const Polyhedron inwards = make_box({1, 1, 1});
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::size_t face = 0; face < inwards.face_count(); ++face)
+        faces.emplace_back(inwards.face(face).rbegin(), inwards.face(face).rend());
+    const Polyhedron box = Polyhedron::from_polygons(inwards.vertices(), faces, {.radius = -0.1});
+    EXPECT_EQ(box.report().inward_parts, 1U) << "faces that moved";
+    EXPECT_NEAR(box.report().volume, -1.728, 1e-12) << "the walls of a room move into the wall";
+    EXPECT_EQ(box.with_radius(0.5).report().inward_parts, 1U);
+}
+
 /// A face without area closes the gap between an edge and two edges that meet on it.
 TEST(Volume, FacesWithoutAreaCloseGaps) {
     std::vector<Eigen::Vector3d> vertices;

@@ -92,6 +92,10 @@ def test_what_is_solid(cube, hollow):
     assert (cube.report.parts, cube.report.solid_parts, cube.report.unpaired_edges) == (1, 1, 0)
     assert cube.report.volume == pytest.approx(1)
     assert hollow.report.solid_parts == 0
+    room = chasles.Polyhedron(CUBE_VERTICES, [face[::-1] for face in CUBE_FACES])
+    for body in (room, pickle.loads(pickle.dumps(room))):
+        assert (body.report.solid_parts, body.report.inward_parts) == (0, 1)
+        assert body.report.volume == -cube.report.volume
     assert pickle.loads(pickle.dumps(hollow)).report.solid_parts == 0
     with pytest.raises(chasles.InvalidInput, match="mesh: solid: the surface is not closed.*4 edges"):
         chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES[:-1], solid="yes")
