@@ -234,6 +234,6 @@ export function meshReport(reader) {
   const report = {};
   for (const name of [...names, "nonmanifold_edges", "dropped_faces", "segments"]) report[name] = reader.number();
   report.closed = reader.flag();
-  for (const name of ["unpaired_edges", "surface_parts", "solid_parts", "volume", "radius", "moved_inwards"]) report[name] = reader.number();
-  return { ...report, lower: reader.point(), upper: reader.point() };
+  for (const name of ["unpaired_edges", "surface_parts", "solid_parts", "inward_parts", "volume", "radius", "moved_inwards"]) report[name] = reader.number();
+  return Object.freeze({ ...report, lower: Object.freeze(reader.point()), upper: Object.freeze(reader.point()) });
 }

@@ -4,6 +4,7 @@ import { InvalidInput } from "./errors.js";
 import { addMotion } from "./numbers.js";
 import { fromArrays } from "./polyhedron.js";
 import { poseWithRest, separated, updateWorld, worldRows } from "./poses.js";
+import { shown } from "./values.js";
 
 const rounding = 1e-12;
 const largest = 1e30; // of a length in the library
@@ -44,16 +45,23 @@ function refuseNothing(geometry, groups) {
   refuse(`geometry: none of its ${corners} corners begins a triangle within its drawRange (start ${start}, count ${count})${groups ? " and its groups" : ""}`);
 }
 
+/** Where a draw range or a group begins. WebGL draws nothing from between two corners. */
+function firstCorner(start, name) {
+  if (!Number.isInteger(start)) refuse(`${name}: its start is ${shown(start)}, and corners are counted by whole numbers`);
+  return Math.max(start, 0);
+}
+
 /**
  * The first corner of each triangle that WebGLRenderer draws, by its id there (`faceIndex`); holes for others. A draw range, and a group
  * within it, begin at any corner, and corners at their end that are no whole triangle are not drawn. Without groups all is drawn.
  */
 function drawnTriangles(geometry, groups = [{ start: 0, count: Infinity }]) {
   const { start: from = 0, count = Infinity } = geometry.drawRange ?? {};
+  const first = firstCorner(from, "geometry.drawRange");
   const triangles = [];
   for (const group of groups) {
     const end = Math.min(from + count, group.start + group.count, cornerCount(geometry));
-    for (let i = Math.max(from, group.start, 0); i + 3 <= end; i += 3) {
+    for (let i = Math.max(first, firstCorner(group.start, "geometry.groups")); i + 3 <= end; i += 3) {
       const id = Math.floor(i / 3);
       if ((triangles[id] ?? i) !== i) refuse(`geometry.groups: two of them draw two triangles of one faceIndex (${id}): groups that overlap must begin at multiples of 3`);
       triangles[id] = i;

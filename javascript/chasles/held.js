@@ -6,6 +6,7 @@ import { InvalidInput } from "./errors.js";
 function release(own) {
   own.border.free(own.kind, own.handle);
   own.handle = 0;
+  own.kept.clear();
   for (const work of own.followers.splice(0)) work();
 }
 
@@ -29,7 +30,7 @@ export class Held {
   #own; // what outlives this object, for the registry
 
   constructor(border, kind, handle) {
-    this.#own = { border, kind, handle, followers: [] };
+    this.#own = { border, kind, handle, followers: [], kept: new Map() };
     registry.register(this, this.#own, this);
   }
 

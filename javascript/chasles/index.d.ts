@@ -186,13 +186,22 @@ export interface QueryOptions {
   find?: Find | undefined;
 }
 
-export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions;
+/** Options of other questions. They would have no effect here, and are refused: `undefined` counts as left out. */
+export type LeftOut<Names extends string> = { readonly [Name in Names]?: undefined };
+
+export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions & LeftOut<"tolerance" | "until">;
+/** Those of `isClear`. */
+export type ClearOptions = Omit<QueryOptions, "find"> & MotionOptions & FixedOptions & LeftOut<"find" | "tolerance" | "until">;
+/** Those of `firstContactOnPath`. */
+export type PathOptions = QueryOptions & MotionOptions & LeftOut<keyof FixedOptions | "tolerance" | "until">;
+/** Those of `poseAt`. */
+export type PoseOptions = MotionOptions & FixedOptions & LeftOut<keyof QueryOptions | "tolerance" | "until">;
 export type LeastDistanceOptions = {
   /** Width of the bracket of the distance to aim for, as a part of the distance; 1e-6 by default. A coarser one can take less time. */
   tolerance?: number | undefined;
   timeTolerance?: number | undefined;
   find?: Exclude<Find, "any"> | undefined;
-} & MotionOptions & FixedOptions;
+} & MotionOptions & FixedOptions & LeftOut<"margin" | "hold" | "until">;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
 export interface Held {
@@ -201,31 +210,36 @@ export interface Held {
 }
 
 export interface MeshReport {
-  vertices: number;
-  distinct_vertices: number;
-  faces: number;
-  triangles: number;
-  polygons: number;
-  edges: number;
-  boundary_edges: number;
-  nonmanifold_edges: number;
+  readonly vertices: number;
+  readonly distinct_vertices: number;
+  readonly faces: number;
+  readonly triangles: number;
+  readonly polygons: number;
+  readonly edges: number;
+  readonly boundary_edges: number;
+  readonly nonmanifold_edges: number;
   /** Faces without area that edges of other faces cover; and triangles of a geometry in front of the last drawn one that are not drawn. */
-  dropped_faces: number;
-  segments: number;
-  closed: boolean;
+  readonly dropped_faces: number;
+  readonly segments: number;
+  readonly closed: boolean;
   /** Edges that faces do not run along equally often in both directions. */
-  unpaired_edges: number;
-  /** Connected parts of the surface, and those whose volume belongs to the body. */
-  surface_parts: number;
-  solid_parts: number;
-  /** That the solid parts enclose; negative if they are turned inwards. */
-  volume: number;
+  readonly unpaired_edges: number;
+  /** Connected parts of the surface, and the closed ones whose volume belongs to the body. */
+  readonly surface_parts: number;
+  readonly solid_parts: number;
+  /**
+   * Closed parts that are turned inwards: nothing in them is solid. They are rooms, and cavities of parts around them. A body whose
+   * only part is one is mostly a mistake: each triangle is wound the other way round, as in left-handed frames.
+   */
+  readonly inward_parts: number;
+  /** Of the solid parts, less that of the parts turned inwards. Parts that overlap count twice. */
+  readonly volume: number;
   /** The body is its polyhedron and all points within this distance of it. */
-  radius: number;
+  readonly radius: number;
   /** The faces have moved inwards by at most so much: the body has been made with a radius below 0. */
-  moved_inwards: number;
-  lower: Point;
-  upper: Point;
+  readonly moved_inwards: number;
+  readonly lower: Readonly<Point>;
+  readonly upper: Readonly<Point>;
 }
 
 export interface BodyOptions {
@@ -235,48 +249,75 @@ export interface BodyOptions {
   solid?: "automatic" | "yes" | "no" | undefined;
   /**
    * All points within this distance of the polyhedron belong to the body. Below 0, the faces of a closed body move inwards by at
-   * most so much: an overlap that is allowed. 0 by default.
+   * most so much: an overlap that is allowed. A surface that is turned inwards is a room, whose walls move back: its box grows. 0 by default.
    */
   radius?: number | undefined;
 }
 
 export interface Polyhedron extends Held {}
-/** A polyhedral surface. It never changes; scenes and hands that use it keep it. */
+/**
+ * A polyhedral surface. It never changes; scenes and hands that use it keep it. It is a handle of memory in the instance: `structuredClone`,
+ * `postMessage` and `JSON.stringify` keep nothing of it. Send its `vertices` and `faces`: `polyhedron` makes the body again.
+ *
+ * Its arrays are made at the first read, and later reads give the same arrays. `report` and `faces` are frozen. A write to a typed array
+ * changes nothing of the body, only what later reads give: take a copy (`slice()`) to write.
+ */
 export declare class Polyhedron {
   private constructor();
   readonly report: MeshReport;
   /** x y z of each vertex. */
   readonly vertices: Float64Array;
   /** The outline of each face. */
-  readonly faces: number[][];
+  readonly faces: readonly (readonly number[])[];
   /** Triangles that cover the faces, three vertex ids each. */
   readonly triangles: Uint32Array;
   /** The id of each face in the input: what answers call it. */
   readonly sourceFaces: Uint32Array;
 }
 
-/**
- * How a body of a scene moves: from a pose to a goal, or along several poses. With a pose alone it stands still, and takes neither
- * `motion` nor `centre`.
- */
-export interface BodyMotion {
+/** A body that goes from a pose to a goal. With a pose alone it stands still, and takes neither `motion` nor `centre`. */
+export interface MotionToGoal {
   pose?: Pose | undefined;
   goal?: Pose | undefined;
-  /**
-   * "velocity" by default. It and "twist" are even from pose to pose. "spline": the body's origin follows the natural cubic
-   * spline through all poses, with slerp from turn to turn. "b_spline": smooth in velocity and acceleration, near its poses
-   * but not through them.
-   */
-  motion?: "velocity" | "twist" | "spline" | "b_spline" | undefined;
+  /** "velocity" by default. It and "twist" are even from pose to pose. */
+  motion?: "velocity" | "twist" | undefined;
   /** The body point that "velocity" carries along a line; the body's origin by default. */
   centre?: Numbers | undefined;
-  /** Two or more poses, instead of pose and goal. */
-  poses?: readonly Pose[] | undefined;
-  /** One for each pose, ascending from 0 to 1; a "b_spline" has none. */
-  times?: Numbers | undefined;
+  poses?: undefined;
+  times?: undefined;
 }
 
-export interface SceneOptions {
+/** A body that goes through poses at times. */
+export interface MotionThroughPoses {
+  /** Two or more poses, instead of pose and goal. */
+  poses: readonly Pose[];
+  /** One for each pose, ascending from 0 to 1. */
+  times: Numbers;
+  /**
+   * "velocity" by default. It and "twist" are even from pose to pose. "spline": the body's origin follows the natural cubic
+   * spline through all poses, with slerp from turn to turn.
+   */
+  motion?: "velocity" | "twist" | "spline" | undefined;
+  /** The body point that "velocity" carries along a line; the body's origin by default. */
+  centre?: Numbers | undefined;
+  pose?: undefined;
+  goal?: undefined;
+}
+
+/** Smooth in velocity and acceleration, near its poses but not through them, and without times. */
+export interface MotionNearPoses {
+  poses: readonly Pose[];
+  motion: "b_spline";
+  times?: undefined;
+  centre?: undefined;
+  pose?: undefined;
+  goal?: undefined;
+}
+
+/** How a body of a scene moves. */
+export type BodyMotion = MotionToGoal | MotionThroughPoses | MotionNearPoses;
+
+export interface SceneOptions extends LeftOut<keyof MotionOptions | keyof FixedOptions | "tolerance"> {
   /** Distance of the surfaces that counts as contact, mesh unit; pairs may have their own (`setMargin`). */
   margin?: number | undefined;
   /** Less than the margin: bodies that start within it may move on until they come within this distance. */
@@ -332,7 +373,8 @@ export interface Scene extends Held {}
 /** Many bodies in one world over the time [0, 1]. */
 export declare class Scene {
   private constructor();
-  readonly names: string[];
+  /** Frozen; another array after `add` and `remove`. */
+  readonly names: readonly string[];
   /** Without a pose the body is at the origin of the world. */
   add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string | undefined }): string;
   remove(name: string): void;
@@ -495,7 +537,10 @@ export interface Workers {
 /** An instance of the library. Its objects belong to it. */
 export declare class Chasles {
   private constructor();
-  /** A body of points, and of triangles in one array or of faces with three corners or more. */
+  /**
+   * A body of points, and of triangles in one array or of faces with three corners or more. Seen from outside, the corners of a face go round
+   * counter-clockwise: a closed surface whose faces all go the other way round is turned inwards (`report.inward_parts`), and nothing in it is solid.
+   */
   polyhedron(
     vertices: Numbers | readonly Numbers[],
     faces: Numbers | readonly Numbers[],
@@ -503,7 +548,7 @@ export declare class Chasles {
   ): Polyhedron;
   /** The sphere about the origin. */
   sphere(radius: number): Polyhedron;
-  /** All points within `radius` of the segment of this length along z, whose middle is the origin. */
+  /** All points within `radius` of the segment of this length above 0 along z, whose middle is the origin. */
   capsule(radius: number, length: number): Polyhedron;
   /** All points within `radius` of some points, as one body: face i is point i. */
   points(points: Numbers | readonly Numbers[], radius: number): Polyhedron;
@@ -523,10 +568,10 @@ export declare class Chasles {
   /** When do two bodies first touch, where, and how? */
   firstContact(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: FirstContactOptions): FirstContact;
   /** True if it is proven that no contact occurs on the whole motion. */
-  isClear(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: Omit<FirstContactOptions, "find">): boolean;
+  isClear(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: ClearOptions): boolean;
   /** The first contact on the way from pose to pose. */
   firstContactOnPath(
-    moving: Polyhedron, fixed: Polyhedron, poses: readonly Pose[], options?: QueryOptions & MotionOptions,
+    moving: Polyhedron, fixed: Polyhedron, poses: readonly Pose[], options?: PathOptions,
   ): PathContact;
   /**
    * How near do two bodies come, when, and where? Where surfaces stay near each other over large areas, this takes tens of times as long as
@@ -534,7 +579,7 @@ export declare class Chasles {
    */
   leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
   /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. For the fixed body see FixedOptions. */
-  poseAt(start: Pose, goal: Pose, time: number, options?: MotionOptions & FixedOptions): PoseNumbers;
+  poseAt(start: Pose, goal: Pose, time: number, options?: PoseOptions): PoseNumbers;
   /** One answer a motion, in order. */
   firstContactBatch(
     moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,

@@ -1,7 +1,7 @@
 // The inlined build: the module is in a script, so that nothing is fetched.
 import { Chasles } from "./chasles.js";
 import { base64 } from "./chasles.wasm.js";
-import { compiled } from "./module.js";
+import { compiled, withoutFile } from "./module.js";
 import { builtin, isNode } from "./node.js";
 import { fromText } from "./text_worker.js";
 import { checkOptions } from "./values.js";
@@ -28,5 +28,5 @@ async function unpacked() {
 export async function load(options = {}) {
   checkOptions(options, ["wasm"]);
   const { wasm = unpacked() } = options;
-  return Chasles.of(await compiled(wasm), fromText);
+  return Chasles.of(await compiled(wasm, options.wasm === undefined ? withoutFile.own : withoutFile.given), fromText);
 }

@@ -7,12 +7,20 @@ const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
 const wayOut = isNode
   ? 'give the bytes of chasles.wasm, or pathToFileURL(path) of node:url, or, in Next.js, name the package in serverExternalPackages, or import "chasles/inline", which needs no file'
   : 'import "chasles/inline", which fetches nothing, or give load({ wasm: url }) the address of chasles.wasm';
+/** Of the builds that have the module in themselves. */
+export const withoutFile = {
+  given: "leave wasm out: load() of this build has the module in its script, and needs no file",
+  own: "Node.js 20.12, Chrome 103, Firefox 113 and Safari 16.4 are new enough",
+};
 
 /** Also of another realm: of a frame, or of Node.js in an environment of tests. */
 const isA = (value, name) => Object.prototype.toString.call(value) === `[object ${name}]`;
 
+/** A refusal that gets its way out where the build is known. */
+class NoModule extends Error {}
+
 function refuse(what) {
-  throw new InvalidInput(`wasm: ${what}: ${wayOut}`);
+  throw new NoModule(what);
 }
 
 async function bytesOfFile(url) {
@@ -64,12 +72,13 @@ async function compiledFrom(given) {
 }
 
 /** Browsers refuse to compile where the page forbids it. */
-function inWords(error) {
+function inWords(error, way) {
+  if (error instanceof NoModule) return new InvalidInput(`wasm: ${error.message}: ${way}`);
   if (/content security policy|unsafe-eval/i.test(error.message))
     return new InvalidInput("wasm: the Content-Security-Policy of the page forbids WebAssembly: its script-src needs 'wasm-unsafe-eval'");
   if (/disallowed by embedder/i.test(error.message))
     return new InvalidInput('wasm: this environment compiles no WebAssembly while it runs, as Cloudflare Workers: give load({ wasm }) the module of an import: import wasm from "./chasles.wasm"');
-  if (error instanceof WebAssembly.CompileError) return new InvalidInput(`wasm: is damaged or cut off, or needs a newer engine (${error.message}): ${wayOut}`);
+  if (error instanceof WebAssembly.CompileError) return new InvalidInput(`wasm: is damaged or cut off, or needs a newer engine (${error.message}): ${way}`);
   return error;
 }
 
@@ -78,15 +87,19 @@ export function besideScript(find) {
   try {
     return find();
   } catch {
-    return refuse("this bundle does not know its own address, so that chasles.wasm is not found beside it");
+    throw new InvalidInput(`wasm: this bundle does not know its own address, so that chasles.wasm is not found beside it: ${wayOut}`);
   }
 }
 
-/** `source`: a URL, a Response, bytes, or a module; or a promise of one. */
-export async function compiled(source) {
-  const module = await compiledFrom(await source).catch((error) => {
-    throw inWords(error);
-  });
+async function compiledOurs(source) {
+  const module = await compiledFrom(await source);
   const names = WebAssembly.Module.exports(module).map(({ name }) => name);
   return names.includes("chasles_first_contact") ? module : refuse("is another module than chasles.wasm");
+}
+
+/** `source`: a URL, a Response, bytes, or a module; or a promise of one. `way`: the way out of a refusal. */
+export async function compiled(source, way = wayOut) {
+  return compiledOurs(source).catch((error) => {
+    throw inWords(error, way);
+  });
 }

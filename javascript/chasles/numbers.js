@@ -110,13 +110,20 @@ function addTrack(numbers, options) {
   return numbers;
 }
 
-function addPlaces(numbers, { pose, goal, poses }) {
+const needed = {
+  spline: "a spline goes through two or more poses, and has a time for each",
+  b_spline: "a b_spline goes near two or more poses, and has no times",
+};
+
+function addPlaces(numbers, { pose, goal, poses, motion }) {
+  if (poses === undefined) throw new InvalidInput(`poses: are missing: ${needed[motion]}`);
   if (pose !== undefined || goal !== undefined) throw new InvalidInput("poses: stand instead of pose and goal");
   return addPoses(numbers, poses, "poses");
 }
 
 /** As many times as there are poses. */
 function addTimes(numbers, options) {
+  if (options.times === undefined) throw new InvalidInput('times: are missing: one for each pose, ascending from 0 to 1; only the motion "b_spline" has none');
   const [count, ...times] = addCounted([], options.times, "times");
   if (count !== options.poses.length)
     throw new InvalidInput(`times: there are ${count} for ${options.poses.length} poses`);

@@ -17,20 +17,22 @@ export class Polyhedron extends Held {
   }
 
   get report() {
-    return meshReport(new Reader(part(this, "report")));
+    return kept(this, "report", (numbers) => meshReport(new Reader(numbers)));
   }
   get vertices() {
-    return part(this, "vertices");
+    return kept(this, "vertices", (numbers) => numbers);
   }
   get triangles() {
-    return Uint32Array.from(part(this, "triangles"));
+    return kept(this, "triangles", (numbers) => Uint32Array.from(numbers));
   }
   get sourceFaces() {
-    return Uint32Array.from(part(this, "sourceFaces"));
+    return kept(this, "sourceFaces", (numbers) => Uint32Array.from(numbers));
   }
   get faces() {
-    const reader = new Reader(part(this, "faces"));
-    return reader.some(reader.number()).map((corners) => reader.some(corners));
+    return kept(this, "faces", (numbers) => {
+      const reader = new Reader(numbers);
+      return Object.freeze(reader.some(reader.number()).map((corners) => Object.freeze(reader.some(corners))));
+    });
   }
 
   /** The arrays that make the same body, with the same ids, in another instance. */
@@ -39,7 +41,7 @@ export class Polyhedron extends Held {
     const [triangulate, solid, radius, count] = given;
     const sizes = Uint32Array.from(given.subarray(4, 4 + count));
     const corners = Uint32Array.from(given.subarray(4 + count));
-    return { vertices: body.vertices, sizes, corners, options: [triangulate, solid, radius] };
+    return { vertices: part(body, "vertices"), sizes, corners, options: [triangulate, solid, radius] };
   }
   static ofCopy(border, { vertices, sizes, corners, options }) {
     border.giveNumbers(vertices);
@@ -51,6 +53,14 @@ export class Polyhedron extends Held {
 function part(body, name) {
   const { border, handle } = Held.own(body, Polyhedron, "polyhedron");
   return border.ask("body_part", handle, parts[name]);
+}
+
+/** Made at the first read, and given by all later ones. Typed arrays cannot be frozen: one that was sent to a worker is made anew. */
+function kept(body, name, make) {
+  const { kept: parts } = Held.own(body, Polyhedron, "polyhedron");
+  const isSent = ArrayBuffer.isView(parts.get(name)) && parts.get(name).length === 0;
+  if (!parts.has(name) || isSent) parts.set(name, make(part(body, name)));
+  return parts.get(name);
 }
 
 /** As numbers: whether to triangulate, what is solid, and the radius. */
@@ -131,6 +141,7 @@ export function pointsBody(border, points, radius) {
 }
 
 export function capsule(border, radius, length) {
+  if (length === 0) throw new InvalidInput("length: must be positive, and is 0: sphere(radius) is the ball");
   const half = positive(length, "length") / 2;
   return fromArrays(border, [0, 0, -half, 0, 0, half], [0, 1, 1], { radius: positive(radius, "radius") });
 }

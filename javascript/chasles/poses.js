@@ -1,7 +1,7 @@
 // Poses as numbers, and what the objects of three.js say about them. A pose has no scale: what an object has beyond a pose is
 // refused by name, never dropped.
 import { InvalidInput } from "./errors.js";
-import { addCounted, isList, shown } from "./values.js";
+import { addCounted, isList, shown, wayOut } from "./values.js";
 
 const tolerance = 1e-5; // of an entry of R^T R: that of the library for matrices
 
@@ -71,12 +71,24 @@ function plainParts({ position: p, quaternion: q, scale }, name) {
   return [p.x, p.y, p.z, q.w, q.x, q.y, q.z];
 }
 
+const aPose = "a pose is a place with a turn: { position, quaternion }, an Object3D, a Matrix4, or 3, 7 or 16 numbers";
+
+/** What is no pose, and how it becomes a part of one. */
+function refuseOther(value, name) {
+  const isEuler = value?.isEuler || (isList(value) && value.length === 4 && typeof value[3] === "string");
+  if (isEuler) throw new InvalidInput(`${name}: an Euler is no pose: ${aPose}; quaternion.setFromEuler(euler) makes the turn`);
+  if (typeof value?.w === "number" && typeof value.x === "number") throw new InvalidInput(`${name}: a quaternion or a vector of 4 numbers is no pose: ${aPose}`);
+  if (isList(value) && value.length === 4) throw new InvalidInput(`${name}: 4 numbers found, as of a quaternion alone: ${aPose}`);
+  if (!isList(value)) throw new InvalidInput(`${name}: ${shown(value)} is no array of numbers${wayOut(value) || `: ${aPose}`}`);
+}
+
 /** The numbers of a pose, as they go into the module: 3, 7, or 16 row by row. */
 export function poseNumbers(value, name) {
   if (value?.matrixWorld?.elements?.length === 16) return objectRows(value, name);
   if (value?.position && value?.quaternion) return plainParts(value, name);
   if (value?.elements?.length === 16) return rowsOf(value);
   if (isList(value) && value.length === 16) refuseColumns(value, name);
+  refuseOther(value, name);
   return value;
 }
 

@@ -17,6 +17,7 @@ const encode = (value, name) => new TextEncoder().encode(text(value, name));
 export class Scene extends Held {
   static title = "Scene";
   #names = []; // in the order of the bodies
+  #shown = null; // the same, frozen: made at the first read after a change
 
   constructor(border) {
     super(border, "scene", given(border, "Scene", "chasles.scene()").call("scene"));
@@ -29,7 +30,7 @@ export class Scene extends Held {
 
   /** Also of a freed scene, which a dragged body keeps. */
   static namesOf(scene) {
-    return [...scene.#names];
+    return (scene.#shown ??= Object.freeze([...scene.#names]));
   }
 
   add(name, shape, options = {}) {
@@ -41,6 +42,7 @@ export class Scene extends Held {
     border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
     border.call("scene_add", handle, body, nameBytes.length);
     this.#names.push(name);
+    this.#shown = null;
     return name;
   }
 
@@ -50,6 +52,7 @@ export class Scene extends Held {
     border.giveBytes(encode(name, "name"));
     const index = border.call("scene_remove", handle);
     const last = this.#names.pop();
+    this.#shown = null;
     if (index < this.#names.length) this.#names[index] = last;
   }
 

@@ -10,6 +10,7 @@ const wayOutOf = { seconds: limits, signal: limits, timeout: limits, limit: limi
 export function checkOptions(options, known, name = "options") {
   if (Object.prototype.toString.call(options) !== "[object Object]") throw new InvalidInput(`${name}: must be an object with ${known.join(", ")}`);
   for (const key of Object.keys(options)) {
+    if (options[key] === undefined) continue;
     if (!known.includes(key)) {
       const wayOut = Object.hasOwn(wayOutOf, key) ? ` (${wayOutOf[key]})` : "";
       throw new InvalidInput(`${key}: is no option here${wayOut}; there are ${known.join(", ")}`);
@@ -25,8 +26,13 @@ export function number(value, name, byDefault) {
   return value;
 }
 
-/** A message of the library, which writes `max_turn` for `maxTurn` in front of its colon. */
-export const inJavaScript = (message) => message.replace(/^((?:\w+: )?)(max_turn|time_tolerance)(?=:)/, (_, asked, name) => asked + name.replace(/_(.)/, (_, letter) => letter.toUpperCase()));
+const optionOf = { max_turn: "maxTurn", time_tolerance: "timeTolerance" };
+
+/** A message of the library, which writes `max_turn` for `maxTurn` in front of its colon, and has stamps where a body of a scene has times. */
+export const inJavaScript = (message) =>
+  message
+    .replace(/^((?:\w+: )?)(max_turn|time_tolerance)(?=:)/, (_, asked, name) => asked + optionOf[name])
+    .replace(/^timed poses: stamps: .*/s, (stamps) => stamps.replace("timed poses: stamps", "motion: times").replaceAll("stamp ", "time "));
 
 export function text(value, name) {
   if (typeof value !== "string") throw new InvalidInput(`${name}: ${shown(value)} is not a text`);
@@ -48,9 +54,9 @@ export function asBytes(given, name) {
   }
 }
 
-/** What a point of three.js, or an object of Babylon.js, is to be given as. */
+/** What a point of three.js, or an object of Babylon.js, is to be given as. Quaternions and Eulers are no points. */
 export function wayOut(value) {
-  if (typeof value?.x === "number" && typeof value.y === "number")
+  if (typeof value?.x === "number" && typeof value.y === "number" && value.w === undefined && !value.isEuler)
     return `: a Vector3 is given as v.${typeof value.asArray === "function" ? "asArray" : "toArray"}()`;
   if (typeof value?.computeWorldMatrix === "function") return ": a node of Babylon.js is given as { elements: node.computeWorldMatrix(true).asArray() }";
   return typeof value?.asArray === "function" ? ": a Matrix of Babylon.js is given as { elements: matrix.asArray() }" : "";

@@ -91,7 +91,7 @@ void write_report(Numbers& out, const MeshReport& report) {
           report.boundary_edges, report.nonmanifold_edges, report.dropped_faces, report.segments})
         out.push_back(double(count));
     out.push_back(report.closed ? 1 : 0);
-    for (const std::size_t count : {report.unpaired_edges, report.parts, report.solid_parts})
+    for (const std::size_t count : {report.unpaired_edges, report.parts, report.solid_parts, report.inward_parts})
         out.push_back(double(count));
     for (const double number : {report.volume, report.radius, report.moved_inwards})
         out.push_back(number);

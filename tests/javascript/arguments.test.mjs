@@ -8,6 +8,7 @@ import { fileURLToPath } from "node:url";
 import { runInNewContext } from "node:vm";
 import { reactive } from "@vue/reactivity";
 import { buildSync } from "esbuild";
+import { Euler, Quaternion, Vector3 } from "three";
 import { load } from "chasles";
 import { load as loadInline } from "chasles/inline";
 import { box, refusal } from "./shapes.mjs";
@@ -142,6 +143,36 @@ async function rejected(ask) {
   return "";
 }
 
+test("an undefined option counts as left out, also one of another question", async () => {
+  const names = ["margin", "hold", "timeTolerance", "find", "tolerance", "until", "motion", "centre", "maxTurn", "fixedStart", "fixedGoal", "fixedCentre", "poses", "group", "radius", "count"];
+  const none = Object.fromEntries(names.map((name) => [name, undefined]));
+  const scene = chasles.scene();
+  const asked = [
+    () => chasles.firstContact(cube, cube, far, far, none), () => chasles.isClear(cube, cube, far, far, none), () => chasles.poseAt(far, far, 0, none),
+    () => chasles.firstContactOnPath(cube, cube, [far, far], none), () => chasles.leastDistance(cube, cube, far, far, none),
+    () => chasles.firstContactBatch(cube, cube, [far], [far], none), () => scene.add("a", cube, none), () => scene.move("a", { ...none, pose: far }),
+    () => scene.moveAll([far], [far], none), () => scene.firstContact(none), () => scene.allContacts(none), () => scene.clearUntil(none),
+    () => chasles.draggedBody(scene, "a", none), () => chasles.polyhedron(vertices, faces, none), () => chasles.workers({ ...none, count: 1 }).then((workers) => workers.stop()), () => load(none),
+  ];
+  for (const ask of asked) await ask();
+  assert.match(refusal(() => chasles.isClear(cube, cube, far, far, { find: "first" })), /^find: is no option here; there are margin, /);
+});
+
+test("what is no pose is refused with what a pose is", () => {
+  const [quaternion, euler] = [new Quaternion(0, 0, 1, 1).normalize(), new Euler(0, 0, 1)];
+  const wayOut = /: a pose is a place with a turn: \{ position, quaternion \}, an Object3D, a Matrix4, or 3, 7 or 16 numbers/;
+  for (const given of [quaternion, quaternion.toArray(), euler, euler.toArray(), {}, { position: new Vector3(), rotation: euler }, "0 0 0", 3, new Map()])
+    for (const ask of [(pose) => chasles.poseAt(pose, far, 0), (pose) => chasles.scene().add("a", cube, { pose }), (pose) => chasles.firstContactOnPath(cube, cube, [far, pose])]) {
+      assert.match(refusal(() => ask(given)), wayOut);
+      assert.doesNotMatch(refusal(() => ask(given)), /Vector3/);
+    }
+  for (const given of [euler, euler.toArray()]) assert.match(refusal(() => chasles.poseAt(given, far, 0)), /^start: an Euler is no pose: .*quaternion\.setFromEuler\(euler\)/);
+  assert.match(refusal(() => chasles.poseAt(new Vector3(), far, 0)), /^start: .*: a Vector3 is given as v\.toArray\(\)$/);
+  assert.doesNotMatch(refusal(() => chasles.polyhedron([quaternion], faces)), /Vector3/);
+  const pose = chasles.poseAt({ position: new Vector3(1, 2, 3), quaternion }, far, 0);
+  assert.deepEqual(pose.map((part) => part.toFixed(9)), [1, 2, 3, Math.SQRT1_2, 0, 0, Math.SQRT1_2].map((part) => part.toFixed(9)));
+});
+
 test("limits that other libraries have as options are refused with the way out", async () => {
   for (const name of ["seconds", "signal", "timeout", "limit"]) {
     assert.match(refusal(() => chasles.firstContact(cube, cube, far, far, { [name]: 1 })), new RegExp(`^${name}: is no option here \\(.*README, "Limits and cancelling"\\); there are margin`));
@@ -160,6 +191,11 @@ test("messages name options as JavaScript does", () => {
   assert.match(refusal(() => chasles.firstContact(cube, cube, far, [0, 0, 0], { maxTurn: 10 })), /^motion: maxTurn: must be at most pi radians/);
   const scene = chasles.scene();
   scene.add("a", cube);
+  const moved = (times, motion) => refusal(() => scene.move("a", { poses: [far, far, far], times, motion }));
+  for (const motion of ["velocity", "twist", "spline"]) {
+    assert.match(moved([0, NaN, 1], motion), /^motion: times: [^:]*time 1 is nan/i);
+    assert.match(moved([0, 2, 1], motion), /^motion: times: must ascend, but time 2 is 1 after 2$/);
+  }
   assert.equal(refusal(() => chasles.draggedBody(scene, "a").update(far, NaN)), "seconds: NaN is not a number; 0 is no bound");
 });
 
@@ -237,7 +273,7 @@ test("options are objects with known keys, also those of load", async () => {
     assert.match(await refusal(start({ wsm: "x" })), /^wsm: is no option here; there are wasm$/);
     for (const options of [null, "chasles.wasm", new URL("file:///chasles.wasm"), new Uint8Array(8), []])
       assert.match(await refusal(start(options)), /^options: must be an object with wasm$/);
-    assert.match(await refusal(start({ wasm: 3 })), /^wasm: 3 is no URL, Response, bytes or WebAssembly\.Module: give/);
+    assert.match(await refusal(start({ wasm: 3 })), /^wasm: 3 is no URL, Response, bytes or WebAssembly\.Module: (give|leave wasm out)/);
   }
   assert.match(refusal(() => chasles.firstContact(cube, cube, far, far, new Map([["margin", 1]]))), /^options: must be an object with margin/);
   assert.match(await refusal(chasles.workers({ worker: "worker.js" })), /^worker: must be a function that makes a Worker/);
@@ -298,7 +334,7 @@ test("a way to the module that does not lead there is refused with a way out", a
     for (const size of [4, 5000, whole.length - 1]) {
       const message = await refusal(start({ wasm: whole.subarray(0, size) }));
       assert.match(message, /^wasm: is damaged or cut off, or needs a newer engine \(/);
-      assert.match(message, wayOut);
+      assert.match(message, start === load ? wayOut : /: leave wasm out: load\(\) of this build has the module in its script, and needs no file$/);
     }
   const response = new Response(whole);
   await response.arrayBuffer();

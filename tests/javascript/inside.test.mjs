@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "chasles";
 import {
-  BoxGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, IcosahedronGeometry, SphereGeometry, TorusGeometry, TorusKnotGeometry,
+  BoxGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, IcosahedronGeometry, Mesh, SphereGeometry, TorusGeometry, TorusKnotGeometry,
 } from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { box, refusal } from "./shapes.mjs";
 
 const chasles = await load();
@@ -49,6 +50,32 @@ test("solid says what the inside is", async () => {
   const answers = async (fixed) => (await workers.firstContactBatch(speck, fixed, [start], [start])).map((answer) => answer.verdict);
   assert.deepEqual([await answers(cube), await answers(hollow)], [["contact_at_start"], ["clear"]]);
   workers.stop();
+});
+
+test("surfaces that are turned inwards are counted as such, and enclose nothing", () => {
+  const mirrored = new BoxGeometry(2, 2, 2).scale(-1, 1, 1);
+  const room = chasles.fromBufferGeometry(mirrored);
+  assert.deepEqual([room.report.surface_parts, room.report.solid_parts, room.report.inward_parts, room.report.volume, room.report.closed], [1, 0, 1, -8, true]);
+  assert.equal(chasles.firstContact(speck, room, start, start).verdict, "clear");
+  const half = new BoxGeometry(1, 1, 1).translate(2, 0, 0);
+  const both = chasles.fromBufferGeometry(mergeGeometries([half, half.clone().scale(-1, 1, 1)])).report;
+  assert.deepEqual([both.surface_parts, both.solid_parts, both.inward_parts], [2, 1, 1]);
+  // An object that mirrors is told, and turned; a geometry whose vertices are mirrored is not.
+  const mesh = new Mesh(new BoxGeometry(2, 2, 2));
+  mesh.scale.x = -1;
+  assert.deepEqual([chasles.fromObject3D(mesh).body.report.solid_parts, chasles.fromObject3D(mesh).body.report.inward_parts], [1, 0]);
+  assert.equal(chasles.fromObject3D(new Mesh(mirrored)).body.report.inward_parts, 1);
+  // The walls of a room move back.
+  assert.deepEqual(chasles.fromBufferGeometry(mirrored, { radius: -0.1 }).report.upper.map((x) => x.toFixed(9)), ["1.100000000", "1.100000000", "1.100000000"]);
+});
+
+test("triangles of a left-handed frame are turned as the README says", () => {
+  const { index, attributes } = new BoxGeometry(2, 2, 2).scale(-1, 1, 1); // as the builders of Babylon.js wind them
+  const indices = index.array.slice();
+  for (let i = 0; i < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
+  const body = chasles.polyhedron(attributes.position.array, indices, { solid: "yes" });
+  assert.deepEqual([body.report.solid_parts, body.report.inward_parts, body.report.volume], [1, 0, 8]);
+  assert.equal(chasles.firstContact(speck, body, start, start).inside, "moving");
 });
 
 test("closed geometries of three.js are solid, seams that differ by rounding included", () => {

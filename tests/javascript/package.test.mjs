@@ -419,10 +419,13 @@ test("scenes: splines through poses, and where bodies are", () => {
   assert.match(refusal(() => scene.poseAt("spline", 1.5)), /^time: must be in \[0, 1\]/);
   assert.match(refusal(() => scene.poseAt("none", 0)), /^scene: none: is not in the scene/);
   const refused = (options) => refusal(() => scene.move("spline", { motion: "spline", ...options }));
-  assert.match(refused({ poses }), /^times: undefined is no array/);
+  assert.match(refused({ poses }), /^times: are missing: one for each pose, ascending from 0 to 1; only the motion "b_spline" has none$/);
+  assert.match(refusal(() => scene.add("track", cube, { poses })), /^times: are missing: one for each pose/);
+  assert.match(refused({ pose: far }), /^poses: are missing: a spline goes through two or more poses, and has a time for each$/);
+  assert.match(refusal(() => scene.move("spline", { motion: "b_spline", pose: far })), /^poses: are missing: a b_spline goes near two or more poses, and has no times$/);
   assert.match(refused({ poses, times: [0, 1, 1] }), /ascend/);
   assert.match(refused({ poses: [far], times: [0] }), /two/);
-  assert.match(refused({ pose: far }), /^poses: stand instead/);
+  assert.match(refused({ pose: far, poses }), /^poses: stand instead/);
   assert.match(refused({ poses, times: [0, 0.5, 1], centre: [0, 0, 0] }), /^centre: is for the motion velocity/);
   assert.match(refusal(() => scene.move("spline", { motion: "b_spline", poses, times: [0, 0.5, 1] })), /^times: a b_spline has none/);
   assert.match(refusal(() => scene.move("spline", { motion: "b_spline", poses: [far] })), /two/);

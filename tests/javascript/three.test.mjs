@@ -278,6 +278,24 @@ test("faces have the ids that three.js gives them, with a draw range, groups and
   assert.match(refusal(() => chasles.fromBufferGeometry(cut)), /within its drawRange/);
 });
 
+test("draw ranges and groups that begin between two corners are refused by name", () => {
+  const geometry = new PlaneGeometry(10, 1, 10, 1);
+  for (const start of [1.5, NaN, Infinity, "3", null]) {
+    const given = String(typeof start === "string" ? JSON.stringify(start) : start);
+    geometry.setDrawRange(start, 20);
+    const message = (name) => `geometry.${name}: its start is ${given}, and corners are counted by whole numbers`;
+    assert.equal(refusal(() => chasles.fromBufferGeometry(geometry)), message("drawRange"));
+    assert.equal(refusal(() => chasles.fromObject3D(new Mesh(geometry))), message("drawRange"));
+    geometry.setDrawRange(0, Infinity);
+    geometry.clearGroups();
+    geometry.addGroup(start, 20, 0);
+    assert.equal(refusal(() => chasles.fromObject3D(new Mesh(geometry, [new MeshBasicMaterial()]))), message("groups"));
+    geometry.clearGroups();
+  }
+  geometry.setDrawRange(-3, 12.5); // as three.js draws it: from corner 0 to 9
+  assert.equal(chasles.fromBufferGeometry(geometry).report.faces, 3);
+});
+
 test("what is hidden is a body all the same", () => {
   const mesh = new Mesh(fourTriangles().clone(), [new MeshBasicMaterial({ visible: false })]);
   mesh.geometry.addGroup(0, 12, 0);

@@ -1,5 +1,6 @@
 // Compiled, not run: the types accept what the README shows, and refuse what is wrong.
 import { load, InvalidInput, Polyhedron, type FirstContact } from "chasles";
+import wasmAddress from "chasles/chasles.wasm";
 import { load as loadInline } from "chasles/inline";
 import wasm from "chasles/chasles.wasm";
 import { load as loadByPath } from "./node_modules/chasles/inline.js"; // as moduleResolution "node" finds it
@@ -45,6 +46,20 @@ for (const mesh of [new Mesh(new BoxGeometry()), new SkinnedMesh()]) console.log
 chasles.fromObject3D(new InstancedMesh(new BoxGeometry(), [], 3));
 // @ts-expect-error: from where?
 scene.move("cube", { goal: [0, 0, 0] });
+// @ts-expect-error: when?
+scene.add("track", cube, { poses: [[0, 0, 0], [1, 0, 0]] });
+// @ts-expect-error: through which poses?
+scene.add("spline", cube, { pose: [0, 0, 0], motion: "spline" });
+// @ts-expect-error: a B-spline has no times
+scene.add("near", cube, { poses: [[0, 0, 0], [1, 0, 0]], motion: "b_spline", times: [0, 1] });
+scene.add("b_spline", cube, { poses: [[0, 0, 0], [1, 0, 0]], motion: "b_spline" });
+// @ts-expect-error: one or the other
+scene.add("both", cube, { pose: [0, 0, 0], poses: [[0, 0, 0], [1, 0, 0]], times: [0, 1] });
+// @ts-expect-error: arrays of a body are not written to
+cube.faces[0]?.push(1);
+const turned = chasles.polyhedron(cube.vertices, cube.faces.map((face) => [...face].reverse()), { solid: "yes" });
+console.log(turned.report.inward_parts, scene.names.length);
+for (const wasm of [wasmAddress, fetch(wasmAddress), new URL(wasmAddress)]) await load({ wasm });
 // All options may be undefined, also under exactOptionalPropertyTypes.
 type Undefined<T> = { [Key in keyof Required<T>]: undefined };
 const accepts = <T>(_: Undefined<T> extends T ? true : false) => undefined;
