@@ -40,6 +40,7 @@ function readable({ message, isInput }: EngineError, name: string): string {
 }
 
 export function warningAbout({ name, report }: OwnFile): string {
+  if (report.isRoom) return `${name} is turned inwards: nothing in it is solid. If it should be, reverse its faces.`;
   return report.isClosed ? "" : `${name} is open: ${counted(report.boundaryEdges, "edge")} with one face only. It collides with both sides of its faces.`;
 }
 

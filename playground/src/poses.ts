@@ -5,7 +5,7 @@ export type Pose = number[];
 
 const one = new Vector3(1, 1, 1);
 
-export const placeOf = (pose: Pose) => new Vector3(pose[0], pose[1], pose[2]);
+export const placeOf = (pose: readonly number[]) => new Vector3(pose[0], pose[1], pose[2]);
 export const turnOf = (pose: Pose) => new Quaternion(pose[4], pose[5], pose[6], pose[3]).normalize();
 
 export function poseOf(place: Vector3, turn: Quaternion): Pose {

@@ -38,9 +38,9 @@ export interface BodyShape {
   name: string;
   vertices: Float64Array;
   triangles: Uint32Array;
-  faces: number[][];
-  lower: number[];
-  upper: number[];
+  faces: readonly (readonly number[])[];
+  lower: readonly number[];
+  upper: readonly number[];
   isClosed: boolean;
   radius: number; // above 0: all points within it belong to the body
 }
@@ -89,9 +89,10 @@ export interface Proof {
 export interface FileReport {
   triangles: number;
   isClosed: boolean;
+  isRoom: boolean; // closed parts are turned inwards, and no part is solid
   boundaryEdges: number;
-  lower: number[];
-  upper: number[];
+  lower: readonly number[];
+  upper: readonly number[];
 }
 
 export interface Tasks {

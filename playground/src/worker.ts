@@ -141,9 +141,9 @@ const tasks: { [Name in keyof Tasks]: (ask: Tasks[Name]["ask"], onPart: (part: n
 
   async read({ file }): Promise<FileReport> {
     const body = await made({ name: file.name, file });
-    const { triangles, closed, boundary_edges, lower, upper } = body.report;
+    const { triangles, closed, solid_parts, inward_parts, boundary_edges, lower, upper } = body.report;
     body.free();
-    return { triangles, isClosed: closed, boundaryEdges: boundary_edges, lower, upper };
+    return { triangles, isClosed: closed, isRoom: solid_parts === 0 && inward_parts > 0, boundaryEdges: boundary_edges, lower, upper };
   },
 
   async open({ scene, pose }): Promise<Opened> {

@@ -141,6 +141,10 @@ class Files(PlaygroundTest):
         self.drop(write("open.obj", OPEN))
         self.wait_until("playground.app.hand.scene.spec.moving === 'open.obj'")
         self.assertIn("open.obj is open", self.text("#trouble-text"))
+        turned = [" ".join(["f", *line.split()[:0:-1]]) if line.startswith("f") else line for line in CUBE.splitlines()]
+        self.drop(write("room.obj", "\n".join(turned) + "\n"))
+        self.wait_until("playground.app.hand.scene.spec.moving === 'room.obj'")
+        self.assertIn("room.obj is turned inwards: nothing in it is solid", self.text("#trouble-text"))
 
     def test_a_page_of_320_pixels(self) -> None:
         """Nothing lies on anything else, and nothing is wider than the page, also with long names of files."""
