@@ -2,14 +2,13 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
-#include "chasles/mesh/face_normal.h"
+#include "chasles/mesh/face_directions.h"
+#include "chasles/mesh/inwards_check.h"
 #include "chasles/mesh/merge_vertices.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <set>
 #include <string>
 
 namespace chasles {
@@ -42,88 +41,35 @@ bool contains(const Cap& cap, const Vector3d& normal) {
     return cap.middle.dot(normal) >= cap.cosine - on_rim;
 }
 
-/// Faces that are much narrower than long, and narrower than the distance, as between points of a circle that all but
-/// lie on a line. Their normals mean little.
-bool is_narrow(const Body& body, std::uint32_t face, double distance) {
-    constexpr double of_length = 0.01;
-    const std::span<const std::uint32_t> outline = body.face(face);
-    const auto corner = [&](std::size_t i) -> const Vector3d& { return body.vertices()[outline[i]]; };
-    Vector3d area = Vector3d::Zero();
-    double length = 0;
-    for (std::size_t i = 1; i < outline.size(); ++i) {
-        length = std::max(length, (corner(i) - corner(0)).norm());
-        if (i > 1)
-            area += (corner(i - 1) - corner(0)).cross(corner(i) - corner(0));
-    }
-    return area.norm() < std::min(distance, of_length * length) * length;
-}
-
-/// The normals of the faces around vertices, but for narrow ones. Those with equal coordinates, and those of a seam,
-/// have the same.
-class Normals {
+/// The directions of the faces around vertices. Those with equal coordinates, and those of a seam, have the same.
+class Directions {
 public:
-    Normals(const Body& body, double distance) : body_(body), first_equal_(first_equal_vertices(body.vertices())) {
-        for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-            of_face_.push_back(face_normal(body, face));
-            is_narrow_.push_back(is_narrow(body, face, distance));
-        }
+    Directions(const Body& body, std::span<const Vector3d> of_face)
+        : body_(body), of_face_(of_face), first_equal_(first_equal_vertices(body.vertices())) {
         for (const auto& [from, to] : body.volume().joined)
             joined_.emplace(to, from);
     }
 
     [[nodiscard]] std::vector<Vector3d> around(std::size_t vertex) const {
         const std::uint32_t place = body_.volume().place_of(first_equal_[vertex]);
-        std::vector<Vector3d> normals;
-        add_around(place, normals);
+        std::vector<Vector3d> directions;
+        add_around(place, directions);
         const auto [begin, end] = joined_.equal_range(place);
         for (auto other = begin; other != end; ++other)
-            add_around(other->second, normals);
-        return normals;
-    }
-
-    /// Whether a face is narrow and no side of a thin wall: the faces beside it, and beside the narrow ones that it
-    /// hangs together with, look to one side.
-    [[nodiscard]] bool is_sliver(std::uint32_t face) const {
-        constexpr double one_side = 0.2;
-        if (!is_narrow_[face])
-            return false;
-        std::vector<Vector3d> normals;
-        std::set<std::uint32_t> narrow{face};
-        for (std::vector<std::uint32_t> left{face}; !left.empty();) {
-            const std::uint32_t next = left.back();
-            left.pop_back();
-            for (const std::uint32_t other : faces_beside(next))
-                if (!is_narrow_[other])
-                    normals.push_back(of_face_[other].unit);
-                else if (narrow.insert(other).second)
-                    left.push_back(other);
-        }
-        return normals.empty() || smallest_cap(normals).cosine > one_side;
+            add_around(other->second, directions);
+        return directions;
     }
 
 private:
-    void add_around(std::uint32_t vertex, std::vector<Vector3d>& normals) const {
+    void add_around(std::uint32_t vertex, std::vector<Vector3d>& directions) const {
         for (const std::uint32_t face : body_.faces_around(vertex))
-            if (of_face_[face].has_plane() && !is_narrow_[face])
-                normals.push_back(of_face_[face].unit);
-    }
-
-    /// Those with two corners of a face.
-    [[nodiscard]] std::vector<std::uint32_t> faces_beside(std::uint32_t face) const {
-        std::vector<std::uint32_t> around, beside;
-        for (const std::uint32_t corner : body_.face(face))
-            std::ranges::copy(body_.faces_around(corner), std::back_inserter(around));
-        std::ranges::sort(around);
-        for (std::size_t i = 1; i < around.size(); ++i)
-            if (around[i] == around[i - 1] && around[i] != face)
-                beside.push_back(around[i]);
-        return beside;
+            if (!of_face_[face].isZero(0))
+                directions.push_back(of_face_[face]);
     }
 
     const Body& body_;
+    std::span<const Vector3d> of_face_;
     std::vector<std::uint32_t> first_equal_;
-    std::vector<FaceNormal> of_face_;
-    std::vector<bool> is_narrow_;                        ///< of each face
     std::multimap<std::uint32_t, std::uint32_t> joined_; ///< from the place of a seam to its other vertices
 };
 
@@ -150,32 +96,6 @@ void require_closed(const Body& body, double distance) {
                            "are not turned the same way, along " +
                            std::to_string(report.unpaired_edges + report.segments) +
                            " edges; mend the mesh, or leave its radius at 0");
-}
-
-/// Whether an edge points the other way, or the face itself: there is no room to move. A face that is a line up to
-/// rounding points nowhere.
-bool is_turned(std::span<const std::uint32_t> outline, std::span<const Vector3d> before,
-               std::span<const Vector3d> after, const FaceNormal& normal) {
-    Vector3d area = Vector3d::Zero();
-    for (std::size_t i = 2; i < outline.size(); ++i)
-        area += (after[outline[i - 1]] - after[outline[0]]).cross(after[outline[i]] - after[outline[0]]);
-    if (normal.has_plane() && !(area.dot(normal.unit) > 0))
-        return true;
-    for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++)
-        if (!((after[outline[i]] - after[outline[last]]).dot(before[outline[i]] - before[outline[last]]) > 0))
-            return true;
-    return false;
-}
-
-/// A sliver may turn over: it stays within the distance of the faces around it.
-void require_turned_alike(const Body& body, const Normals& normals, std::span<const Vector3d> moved, double distance) {
-    for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-        if (is_turned(body.face(face), body.vertices(), moved, face_normal(body, face)) && !normals.is_sliver(face))
-            throw InvalidInput(
-                "mesh: radius: " + number_text(-distance) + " turns face " + std::to_string(body.source_face(face)) +
-                " over: the body is too thin there, or the face too small; a radius nearer to 0, or a mesh "
-                "without such faces, may do");
-    }
 }
 
 } // namespace
@@ -211,13 +131,15 @@ Cap smallest_cap(std::span<const Vector3d> given) {
 }
 
 std::vector<Vector3d> moved_inwards(const Body& body, double distance) {
+    constexpr double of_distance = 1e-3;
     require_closed(body, distance);
-    const Normals normals(body, distance);
+    const std::vector<Vector3d> of_face = face_directions(body, of_distance * distance);
+    const Directions directions(body, of_face);
     std::vector<Vector3d> moved(body.vertices().begin(), body.vertices().end());
     for (std::size_t vertex = 0; vertex < moved.size(); ++vertex)
-        if (const std::vector<Vector3d> around = normals.around(vertex); !around.empty())
+        if (const std::vector<Vector3d> around = directions.around(vertex); !around.empty())
             moved[vertex] += shift_against(around, distance);
-    require_turned_alike(body, normals, moved, distance);
+    require_inwards({body, of_face, moved, distance, of_distance * distance});
     return moved;
 }
 
