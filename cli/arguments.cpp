@@ -45,6 +45,27 @@ void require_value(const CLI::App& command, const std::vector<std::string>& argu
         throw InvalidInput(name + ": is empty, but takes " + option->get_type_name());
 }
 
+bool has_empty_entry(std::string_view list) {
+    const bool is_open = list.starts_with(',') || list.ends_with(',');
+    return is_open || list.find(",,") != std::string_view::npos;
+}
+
+// CLI11 would leave the entry out. A list may have several arguments.
+void require_entries(const CLI::App& command, const std::vector<std::string>& arguments, std::size_t i) {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    const CLI::Option* const option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
+    if (!option || option->get_delimiter() == '\0')
+        return;
+    const auto check = [&](std::string list) {
+        std::erase_if(list, [](char c) { return c == ' ' || c == '\t'; });
+        if (has_empty_entry(list))
+            throw InvalidInput(name + ": " + io::in_quotes(list) + ": an entry before or after a comma is empty");
+    };
+    check(std::string(value_at(arguments, i).value_or("")));
+    for (std::size_t next = i + 1; next < arguments.size() && !arguments[next].starts_with("--"); ++next)
+        check(arguments[next]);
+}
+
 } // namespace
 
 void require_values(const CLI::App& app, const std::vector<std::string>& arguments) {
@@ -52,8 +73,10 @@ void require_values(const CLI::App& app, const std::vector<std::string>& argumen
         return !arguments.empty() && command->get_name() == arguments.front();
     };
     for (const CLI::App* command : app.get_subcommands(is_asked))
-        for (std::size_t i = 1; i < arguments.size(); ++i)
+        for (std::size_t i = 1; i < arguments.size(); ++i) {
             require_value(*command, arguments, i);
+            require_entries(*command, arguments, i);
+        }
 }
 
 std::vector<std::string> join_numbers(const std::vector<std::string>& arguments) {

@@ -37,9 +37,9 @@ struct DragCommand {
     std::string margin; ///< empty: that of the scene's file
     std::string stiffness = "1";
     std::string friction = "0";
-    std::string lock; ///< empty: none
-    std::string lock_axis = "0 0 1";
-    std::string lock_point = "0 0 0";
+    std::string lock;       ///< empty: none
+    std::string lock_axis;  ///< empty: z
+    std::string lock_point; ///< empty: the origin
     int rounds = DragOptions().rounds;
     bool json = false;
 };
@@ -201,8 +201,18 @@ DragLock lock_of(const DragCommand& options) {
                                                            {"slider", DragLockKind::slider},
                                                            {"cylinder", DragLockKind::cylinder},
                                                            {"plane", DragLockKind::plane}};
-    return {kinds.at(options.lock), point_of("--lock-axis", options.lock_axis),
-            point_of("--lock-point", options.lock_point)};
+    DragLock lock{kinds.at(options.lock)};
+    if (lock.kind == DragLockKind::free && !(options.lock_axis.empty() && options.lock_point.empty()))
+        throw InvalidInput(std::string(options.lock_axis.empty() ? "--lock-point" : "--lock-axis") +
+                           ": belongs to a lock; add --lock hinge, slider, cylinder or plane");
+    if ((lock.kind == DragLockKind::slider || lock.kind == DragLockKind::plane) && !options.lock_point.empty())
+        throw InvalidInput("--lock-point: says nothing about --lock " + options.lock +
+                           "; leave it out, or lock the body to a hinge or a cylinder");
+    if (!options.lock_axis.empty())
+        lock.direction = point_of("--lock-axis", options.lock_axis);
+    if (!options.lock_point.empty())
+        lock.point = point_of("--lock-point", options.lock_point);
+    return lock;
 }
 
 /// The scene. Its margin is that of `--margin`, if there is one.
@@ -287,12 +297,12 @@ void add_lock_options(CLI::App& command, DragCommand& options) {
     command.add_option("--lock", options.lock, "the body only turns, slides, does both, or moves in a plane")
         ->check(CLI::IsMember({"hinge", "slider", "cylinder", "plane"}))
         ->type_name("KIND");
-    command.add_option("--lock-axis", options.lock_axis, "direction of the line, or normal of the plane")
-        ->type_name("\"X Y Z\"")
-        ->capture_default_str();
-    command.add_option("--lock-point", options.lock_point, "a point on the line of a hinge or a cylinder")
-        ->type_name("\"X Y Z\"")
-        ->capture_default_str();
+    command
+        .add_option("--lock-axis", options.lock_axis, "direction of the line, or normal of the plane; default 0 0 1")
+        ->type_name("\"X Y Z\"");
+    command
+        .add_option("--lock-point", options.lock_point, "a point on the line of a hinge or a cylinder; default 0 0 0")
+        ->type_name("\"X Y Z\"");
 }
 
 } // namespace

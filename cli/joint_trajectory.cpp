@@ -1,10 +1,12 @@
-// A trajectory of ROS holds names of joints, and points with positions and the time since the start.
+// A trajectory of ROS holds names of joints, and points with positions and the time since the start. A recording of
+// states has the names and the positions in each message.
 #include "cli/joint_trajectory.h"
 
 #include "chasles/base/number_text.h"
 #include "chasles/io/column_table.h"
 #include "chasles/io/read_file.h"
 #include "chasles/robot/joint_columns.h"
+#include "cli/joint_states.h"
 #include "cli/options.h"
 #include "cli/strict_json.h"
 #include "cli/yaml_text.h"
@@ -76,21 +78,39 @@ void find_trajectories(const Json& json, int depth, std::vector<const Json*>& fo
         }
 }
 
-const Json& only_trajectory_in(const Json& json) {
+/// What messages call the parts.
+struct Words {
+    const char* names = "joint_names";
+    const char* points = "points";
+    const char* point = "point";
+    const char* positions = "positions";
+    const char* time = "time_from_start";
+};
+
+struct GivenTrajectory {
+    Json content;
+    Words words = {};
+    bool is_recorded = false; ///< made of states, whose times do not count from the start of a motion
+};
+
+GivenTrajectory only_trajectory_in(const Json& json) {
     std::vector<const Json*> found;
     find_trajectories(json, 0, found);
     if (found.empty())
-        throw InvalidInput("has no trajectory: no object has the keys joint_names and points");
+        if (std::optional<Json> states = trajectory_of_states(json))
+            return {std::move(*states), {"name", "messages", "message", "position", "header: stamp"}, true};
+    if (found.empty())
+        throw InvalidInput("has no trajectory: no object has the keys joint_names and points, or name and position");
     if (found.size() > 1)
         throw InvalidInput("has " + std::to_string(found.size()) +
                            " trajectories (objects with the keys joint_names and points): leave one in the file");
-    return *found.front();
+    return {*found.front()};
 }
 
-std::vector<std::string> joint_names_in(const Json& trajectory) {
-    return at_place("joint_names", [&] {
+std::vector<std::string> joint_names_in(const GivenTrajectory& trajectory) {
+    return at_place(trajectory.words.names, [&] {
         std::vector<std::string> names;
-        for (const Json& name : entries_of(trajectory["joint_names"])) {
+        for (const Json& name : entries_of(trajectory.content["joint_names"])) {
             if (!name.is_string())
                 throw InvalidInput("not a text: " +
                                    io::in_quotes(name.is_structured() ? "a list or an object" : shown(name)));
@@ -124,7 +144,7 @@ double seconds_in(const Json& json) {
     return seconds.value_or(0) + 1e-9 * nanoseconds.value_or(0);
 }
 
-std::vector<double> positions_in(const Json& point, std::size_t joints) {
+std::vector<double> positions_in(const Json& point, std::size_t joints, const Words& words) {
     const Json* positions = find_in(point, "positions");
     if (!positions)
         throw InvalidInput("is missing");
@@ -132,28 +152,34 @@ std::vector<double> positions_in(const Json& point, std::size_t joints) {
     for (const Json& number : entries_of(*positions))
         numbers.push_back(at_place("joint " + std::to_string(numbers.size() + 1), [&] { return finite_in(number); }));
     if (numbers.size() != joints)
-        throw InvalidInput(std::to_string(numbers.size()) + " found, and joint_names has " + std::to_string(joints));
+        throw InvalidInput(std::to_string(numbers.size()) + " found, and " + words.names + " has " +
+                           std::to_string(joints));
     return numbers;
+}
+
+std::string place_of(const Words& words, std::size_t number) {
+    return std::string(words.points) + ": " + words.point + ' ' + std::to_string(number);
 }
 
 /// Reads the points one by one.
 class PointReader {
 public:
-    PointReader(std::size_t joints, const robot::JointColumns& columns) : joints_(joints), columns_(columns) {}
+    PointReader(std::size_t joints, const robot::JointColumns& columns, const GivenTrajectory& trajectory)
+        : joints_(joints), columns_(columns), trajectory_(trajectory) {}
 
     void read(const Json& point) {
-        const auto positions = at_place("positions", [&] { return positions_in(point, joints_); });
+        const auto positions = at_place(words().positions, [&] { return positions_in(point, joints_, words()); });
         rows_.configurations.push_back(columns_.configuration(positions));
         for (const char* key : {"velocities", "accelerations"})
             if (const Json* rates = find_in(point, key); rates && !rates->empty())
                 has_rates_ = true;
         if (const Json* time = find_in(point, "time_from_start"))
-            times_.push_back(at_place("time_from_start", [&] { return seconds_in(*time); }));
+            times_.push_back(at_place(words().time, [&] { return seconds_in(*time); }));
     }
 
     robot::ConfigurationRows finish() {
         take_stamps();
-        if (!rows_.stamps.empty() && rows_.stamps.front() > 0)
+        if (!trajectory_.is_recorded && !rows_.stamps.empty() && rows_.stamps.front() > 0)
             rows_.warnings.push_back("points: the first one comes at " + number_text(rows_.stamps.front()) +
                                      " s: the way to it, from wherever the robot is then, is not tested");
         if (has_rates_)
@@ -161,29 +187,33 @@ public:
                 "velocities and accelerations are not used: the path is straight in joint space "
                 "from point to point");
         if (rows_.configurations.size() < 2)
-            throw InvalidInput(
-                "points: a path needs at least two, and there are " + std::to_string(rows_.configurations.size()) +
-                (rows_.configurations.size() == 1 ? "; the state before it is missing: write it as the first point, or "
-                                                    "repeat the point with a later time to ask about it at rest"
-                                                  : ""));
+            throw InvalidInput(std::string(words().points) + ": a path needs at least two, and there are " +
+                               std::to_string(rows_.configurations.size()) +
+                               (rows_.configurations.size() == 1
+                                    ? std::string("; the state before it is missing: write it as the first ") +
+                                          words().point + ", or repeat the " + words().point +
+                                          " with a later time to ask about it at rest"
+                                    : ""));
         return std::move(rows_);
     }
 
 private:
+    [[nodiscard]] const Words& words() const { return trajectory_.words; }
+
     // A planner that has not timed its path leaves all times at 0.
     void take_stamps() {
         if (times_.empty() || std::ranges::all_of(times_, [](double time) { return time == 0; }))
             return;
         if (times_.size() != rows_.configurations.size())
-            throw InvalidInput("points: " + std::to_string(times_.size()) + " of " +
-                               std::to_string(rows_.configurations.size()) + " have time_from_start");
+            throw InvalidInput(std::string(words().points) + ": " + std::to_string(times_.size()) + " of " +
+                               std::to_string(rows_.configurations.size()) + " have " + words().time);
         for (std::size_t i = 0; i < times_.size(); ++i)
-            at_place("points: point " + std::to_string(i + 1),
-                     [&] { io::add_stamp(times_[i], "time_from_start", rows_.stamps); });
+            at_place(place_of(words(), i + 1), [&] { io::add_stamp(times_[i], words().time, rows_.stamps); });
     }
 
     std::size_t joints_;
     const robot::JointColumns& columns_;
+    const GivenTrajectory& trajectory_;
     robot::ConfigurationRows rows_;
     std::vector<double> times_;
     bool has_rates_ = false;
@@ -202,18 +232,20 @@ bool is_joint_trajectory(const std::filesystem::path& file, const std::string& t
 }
 
 robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_json, const Robot& robot) {
-    const Json json = is_json ? parse_json(text) : parse_yaml(text);
-    const Json& trajectory = only_trajectory_in(json);
+    const Json json = is_json ? parse_json(with_quoted_nan(text)) : parse_yaml(text);
+    const GivenTrajectory trajectory = only_trajectory_in(json);
+    const Words& words = trajectory.words;
     const std::vector<std::string> names = joint_names_in(trajectory);
     const robot::JointColumns columns =
-        at_place("joint_names", [&] { return robot::JointColumns(names, robot, robot::JointUnits::radians); });
-    PointReader reader(names.size(), columns);
+        at_place(words.names, [&] { return robot::JointColumns(names, robot, robot::JointUnits::radians); });
+    PointReader reader(names.size(), columns, trajectory);
     std::size_t number = 0;
-    for (const Json& point : at_place("points", [&]() -> const Json& { return entries_of(trajectory["points"]); }))
-        at_place("points: point " + std::to_string(++number), [&] { reader.read(point); });
+    const auto points = [&]() -> const Json& { return entries_of(trajectory.content["points"]); };
+    for (const Json& point : at_place(words.points, points))
+        at_place(place_of(words, ++number), [&] { reader.read(point); });
     robot::ConfigurationRows rows = reader.finish();
     for (const std::string& warning : columns.warnings("joints"))
-        rows.warnings.push_back("joint_names: " + warning);
+        rows.warnings.push_back(std::string(words.names) + ": " + warning);
     return rows;
 }
 

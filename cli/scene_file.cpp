@@ -168,7 +168,12 @@ Motion motion_in(const Members& body) {
         return at_place("poses", [&] { return track_in(*poses, rule); });
     }
     const Pose start = pose.value_or(Pose());
-    return goal ? motion_between(rule, start, *goal) : Motion::at_rest(start);
+    if (goal)
+        return motion_between(rule, start, *goal);
+    for (const char* const member : {"motion", "centre"})
+        if (body.find(member))
+            refuse(std::string(member) + ": is for a body that moves; without a goal or poses it stands still");
+    return Motion::at_rest(start);
 }
 
 Polyhedron capsule_in(const Json& json) {

@@ -4,6 +4,8 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <string>
@@ -42,6 +44,27 @@ nlohmann::json parse_json(std::string_view text) {
         const std::string why = error.what(); // "[json.exception.parse_error.101] parse error at ..."
         throw InvalidInput("is not JSON: " + why.substr(why.find(']') + 2));
     }
+}
+
+std::string with_quoted_nan(std::string_view text) {
+    constexpr auto words = std::to_array<std::string_view>({"NaN", "Infinity", "-Infinity"});
+    std::string quoted;
+    bool is_in_text = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto begins = [&](std::string_view word) { return text.substr(i).starts_with(word); };
+        const auto* const word = is_in_text ? words.end() : std::ranges::find_if(words, begins);
+        if (word != words.end()) {
+            quoted.append("\"").append(*word).append("\"");
+            i += word->size() - 1;
+            continue;
+        }
+        if (text[i] == '"')
+            is_in_text = !is_in_text;
+        quoted += text[i];
+        if (is_in_text && text[i] == '\\' && i + 1 < text.size())
+            quoted += text[++i]; // no end of the text
+    }
+    return quoted;
 }
 
 } // namespace chasles::cli

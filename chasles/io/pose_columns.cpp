@@ -20,7 +20,7 @@ constexpr auto of_position =
 constexpr auto of_quaternion =
     std::to_array<std::string_view>({"q", "q_", "quat_", "quaternion_", "orientation_", "rotation_", "q_rs_"});
 constexpr auto of_time =
-    std::to_array<std::string_view>({"t", "time", "timestamp", "time_from_start", "stamp", "header_stamp"});
+    std::to_array<std::string_view>({"t", "time", "timestamp", "time_from_start", "stamp", "header_stamp", "__time"});
 
 template <typename Names>
 bool is_one_of(const Names& names, std::string_view name) {

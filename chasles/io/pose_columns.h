@@ -14,8 +14,8 @@ std::vector<std::string> pose_columns();
 /// lists the names.
 std::string pose_column(std::string_view name);
 
-/// Whether a name is `t`, `time`, `timestamp`, `time_from_start`, `stamp` or `header.stamp`, perhaps with a unit of
-/// time. Capitals count as small letters.
+/// Whether a name is `t`, `time`, `timestamp`, `time_from_start`, `stamp`, `header.stamp` or `__time`, perhaps with a
+/// unit of time. Capitals count as small letters.
 bool is_time_column(std::string_view name);
 
 } // namespace chasles::io

@@ -68,6 +68,24 @@ bool is_length(const Robot& robot, const std::string& variable) {
     });
 }
 
+/// The variable whose position a name of PlotJuggler means: "a1.position", "/joint_states/a1/position".
+std::optional<std::size_t> variable_with_position(const Robot& robot, std::string_view name) {
+    constexpr std::string_view position = "position", separators = "./";
+    if (!io::lower_case(name).ends_with(position) || name.size() < position.size() + 2 ||
+        separators.find(name[name.size() - position.size() - 1]) == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view base = name.substr(0, name.size() - position.size() - 1);
+    std::size_t longest = 0; // a variable may have a separator in its name
+    for (const RobotVariable& variable : robot.variables()) {
+        const std::size_t size = variable.name.size();
+        if (size > longest && size <= base.size() &&
+            (size == base.size() || separators.find(base[base.size() - size - 1]) != std::string_view::npos) &&
+            io::lower_case(base.substr(base.size() - size)) == io::lower_case(variable.name))
+            longest = size;
+    }
+    return longest == 0 ? std::nullopt : variable_named(robot, base.substr(base.size() - longest));
+}
+
 std::string_view without_degrees(std::string_view name) {
     const bool has_ending = io::lower_case(name).ends_with(degrees_ending);
     return has_ending ? name.substr(0, name.size() - degrees_ending.size()) : std::string_view();
@@ -168,8 +186,10 @@ JointColumns::Column JointColumns::column_of(std::string_view name, JointUnits u
 JointColumns::Column JointColumns::column_without_unit(std::string_view name, JointUnits units) const {
     const std::optional<std::size_t> plain = variable_named(robot_, name);
     const std::string_view before = without_degrees(name);
-    if (units == JointUnits::radians || before.empty())
+    if (units == JointUnits::radians)
         return {plain};
+    if (before.empty())
+        return {plain ? plain : variable_with_position(robot_, name)};
     const std::optional<std::size_t> turned = variable_named(robot_, before);
     if (plain && turned)
         throw InvalidInput("the column " + io::in_quotes(name) + " may be the variable " + io::in_quotes(name) +
@@ -250,7 +270,8 @@ bool JointColumns::is_name(const Robot& robot, std::string_view name) {
         });
     };
     const std::string_view base = io::split_unit(name).name;
-    return is_variable(name) || is_variable(base) || is_variable(without_degrees(base));
+    return is_variable(name) || is_variable(base) || is_variable(without_degrees(base)) ||
+           variable_with_position(robot, base).has_value();
 }
 
 } // namespace chasles::robot

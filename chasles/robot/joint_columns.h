@@ -13,7 +13,9 @@ namespace chasles::robot {
 
 /// What the numbers of a path are.
 enum class JointUnits {
-    by_name, ///< columns NAME_deg and NAME[deg] have degrees, every other one radians or the length unit
+    /// Columns NAME_deg and NAME[deg] have degrees, every other one radians or the length unit. NAME may end in
+    /// ".position" or "/position", and begin with other words before such a point or slash.
+    by_name,
     radians, ///< no name means degrees
 };
 

@@ -188,6 +188,15 @@ TEST_F(DragCommand, RefusesWhatItCannotUse) {
               "chasles: drag: lock: the direction must be finite and not zero");
     EXPECT_NE(error_line("drag scene.json --body box --goals goals.csv --out out.csv --lock door").find("--lock"),
               std::string::npos);
+    const std::string drag = "drag scene.json --body box --goals goals.csv --out out.csv ";
+    EXPECT_EQ(error_line(drag + "--lock-axis '0 0 1'"),
+              "chasles: --lock-axis: belongs to a lock; add --lock hinge, slider, cylinder or plane");
+    EXPECT_EQ(error_line(drag + "--lock-point 0 0 1"),
+              "chasles: --lock-point: belongs to a lock; add --lock hinge, slider, cylinder or plane");
+    for (const std::string kind : {"slider", "plane"})
+        EXPECT_EQ(error_line(drag + "--lock-point 0 0 1 --lock " + kind),
+                  "chasles: --lock-point: says nothing about --lock " + kind +
+                      "; leave it out, or lock the body to a hinge or a cylinder");
     write("moving.json", R"({"bodies": [{"name": "box", "mesh": "cube.obj"},
                                         {"name": "other", "mesh": "cube.obj", "pose": [5, 0, 0], "goal": [3, 0, 0]}]})");
     EXPECT_EQ(error_line("drag moving.json --body box --goals goals.csv --out out.csv"),

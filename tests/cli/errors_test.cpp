@@ -124,6 +124,28 @@ TEST_F(Errors, OptionsOutOfRange) {
               "chasles: --max-turn-deg: is for --motion screw, but the motion is a twist");
 }
 
+/// The parser of the command line would leave an empty entry out.
+TEST_F(Errors, EmptyEntriesOfLists) {
+    const std::string is_empty = ": an entry before or after a comma is empty";
+    for (const std::string list : {"1.2,,1.5", ",1.2", "1.2,", ","})
+        EXPECT_EQ(error_line("profile cube.obj cube.obj" + poses + " --margins " + list),
+                  "chasles: --margins: '" + list + "'" + is_empty);
+    EXPECT_EQ(error_line("profile cube.obj cube.obj" + poses + " --margins=1,,2"),
+              "chasles: --margins: '1,,2'" + is_empty);
+    EXPECT_EQ(error_line("profile cube.obj cube.obj" + poses + " --margins 1 '2, ,3'"),
+              "chasles: --margins: '2,,3'" + is_empty);
+    for (const std::string list : {"1,", ",1", "1,,2"})
+        EXPECT_EQ(error_line("check cube.obj cube.obj" + poses + " --radius " + list),
+                  "chasles: --radius: a number is missing before or after a comma");
+    write("table.urdf", "<robot name=\"t\"><link name=\"a\"/></robot>");
+    for (const std::string list : {"a,", ",a", ","})
+        EXPECT_TRUE(error_line("robot table.urdf --allow " + list).starts_with("chasles: --allow: ")) << list;
+    for (const std::string given : {"a,,'0 0 0'", ",cube.obj,'0 0 0'", "a,cube.obj,"})
+        EXPECT_TRUE(error_line("robot table.urdf --attach " + given).starts_with("chasles: --attach: ")) << given;
+    for (const std::string given : {"=folder", "name=", "="})
+        EXPECT_TRUE(error_line("robot table.urdf --packages " + given).starts_with("chasles: --packages: ")) << given;
+}
+
 TEST_F(Errors, Usage) {
     const std::string check = "check cube.obj cube.obj" + poses;
     const std::string hint = " (see chasles check --help)";

@@ -60,6 +60,13 @@ protected:
     }
 };
 
+TEST_F(SceneCommand, RefusesAMotionOfABodyThatStandsStill) {
+    for (const std::string member : {"\"motion\": \"twist\"", "\"motion\": \"velocity\"", "\"centre\": [0, 0, 0]"})
+        EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", "pose": [0, 0, 0], )" + member + "}]}"),
+                  "body 1: 'a': " + member.substr(1, 6) +
+                      ": is for a body that moves; without a goal or poses it stands still");
+}
+
 TEST_F(SceneCommand, AnswersAsTheLibrary) {
     const Scene scene = same();
     const SceneAnswer first = scene.first_contact(), all = scene.all_contacts();

@@ -246,7 +246,8 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
             bomb += before + (i < 9 ? "," : "]\n");
     }
     const std::vector<std::pair<std::string, std::string>> files = {
-        {"joint_names: [shoulder, elbow]\n", "has no trajectory: no object has the keys joint_names and points"},
+        {"joint_names: [shoulder, elbow]\n",
+         "has no trajectory: no object has the keys joint_names and points, or name and position"},
         {"joint_names: [shoulder, elbow]\npoints: 3\n", "points: must be a list"},
         {"joint_names: shoulder\npoints: []\n", "joint_names: must be a list"},
         {"joint_names: [shoulder, elbow]\npoints: [" + point + "]\n",

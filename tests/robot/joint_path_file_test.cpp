@@ -127,8 +127,9 @@ TEST(JointPathFile, ManyBracketsTakeNoTime) {
 }
 
 TEST(JointPathFile, ReadsStampsWithAUnit) {
-    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]", "time_from_start",
-                                   "Time_From_Start [s]", "stamp", "stamp[ns]", "header.stamp", "header/stamp"}) {
+    for (const char* const time :
+         {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]", "time_from_start", "Time_From_Start [s]", "stamp",
+          "stamp[ns]", "header.stamp", "header/stamp", "__time"}) {
         const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
         EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << time;
         EXPECT_EQ(rows.warnings, (std::vector<std::string>{without("elbow, slide")})) << time;
@@ -151,9 +152,28 @@ TEST(JointPathFile, RefusesUnitsThatItDoesNotRead) {
               "line 1: the header 'waist, waist[deg]' has two columns for one variable: 'waist' and 'waist[deg]'");
 }
 
+/// Columns of recordings, as PlotJuggler writes them.
+TEST(JointPathFile, ReadsPositionsOfRecordings) {
+    for (const char* const name : {"waist.position", "/joint_states/waist/position", "joint_states.Waist.Position",
+                                   "/joint_states/waist.position", "/waist/position[rad]"}) {
+        const ConfigurationRows rows =
+            read_configurations("__time," + std::string(name) + ",/joint_states/waist/velocity\n1,0,0\n3,1,0\n", arm());
+        EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << name;
+        EXPECT_GT(rows.configurations[1][0], 0) << name;
+        EXPECT_EQ(rows.warnings[0],
+                  "line 1: ignored columns: '/joint_states/waist/velocity'; the robot has no variables "
+                  "of these names");
+    }
+    EXPECT_EQ(refused("/goal/waist/position,/state/waist/position\n0,0\n1,1\n", arm()),
+              "line 1: the header '/goal/waist/position, /state/waist/position' has two columns for one variable: "
+              "'/goal/waist/position' and '/state/waist/position'");
+    for (const char* const name : {"waistposition", "x_waist/position", "/position", "position", "/x/position"})
+        EXPECT_NE(refused(std::string(name) + "\n0\n1\n", arm()), "") << name;
+}
+
 /// Other ways to write a unit are not read, and never left out either.
 TEST(JointPathFile, LeavesNoColumnOfAJointOut) {
-    for (const char* const name : {"slide_m", "slide_mm", "Slide.pos", "slide/position", "SLIDE_value", "slide_joint",
+    for (const char* const name : {"slide_m", "slide_mm", "Slide.pos", "slide_position", "SLIDE_value", "slide_joint",
                                    "arm1/slide", "robot_slide", "sldie"})
         EXPECT_EQ(refused("waist," + std::string(name) + "\n0,0\n1,1\n", arm()),
                   "line 1: the column '" + std::string(name) +

@@ -1,0 +1,53 @@
+#include "cli/joint_states.h"
+
+#include "chasles/base/invalid_input.h"
+
+#include <string>
+#include <vector>
+
+namespace chasles::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest_wrapper = 8; ///< levels of lists and messages around a state
+
+bool is_state(const Json& json) {
+    return json.is_object() && json.contains("name") && json["name"].is_array() && json.contains("position");
+}
+
+/// Adds the states below a node, in their order.
+void find_states(const Json& json, int depth, std::vector<const Json*>& found) {
+    if (is_state(json))
+        found.push_back(&json);
+    else if (json.is_structured() && depth < deepest_wrapper)
+        for (const Json& value : json)
+            find_states(value, depth + 1, found);
+}
+
+/// Null where the message has no such key.
+Json value_in(const Json& message, const char* key) {
+    return message.is_object() ? message.value(key, Json()) : Json();
+}
+
+} // namespace
+
+std::optional<Json> trajectory_of_states(const Json& json) {
+    std::vector<const Json*> states;
+    find_states(json, 0, states);
+    if (states.empty())
+        return std::nullopt;
+    const Json& names = (*states.front())["name"];
+    Json points = Json::array();
+    for (const Json* state : states) {
+        if ((*state)["name"] != names)
+            throw InvalidInput("messages: message " + std::to_string(points.size() + 1) +
+                               " has other names than the first one: leave the messages of one publisher in the file");
+        points.push_back({{"positions", (*state)["position"]},
+                          {"velocities", value_in(*state, "velocity")},
+                          {"time_from_start", value_in(value_in(*state, "header"), "stamp")}});
+    }
+    return Json{{"joint_names", names}, {"points", points}};
+}
+
+} // namespace chasles::cli
