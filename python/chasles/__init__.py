@@ -71,6 +71,7 @@ from .collision import CollisionManager
 from .end_of_process import prepare as _prepare_end_of_process
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh, parts_from_trimesh
+from .no_truth_value import prepare as _refuse_truth_values
 from .not_pickled import prepare as _refuse_pickles
 from .record import recording_page, write_scene_page
 from .robots import edge_dtype, first_contacts_on_edges, write_robot_page
@@ -178,3 +179,4 @@ Scene.view = write_scene_page  # type: ignore[attr-defined]
 Scene.__reduce__ = reduce_scene  # type: ignore[assignment, method-assign]
 _prepare_end_of_process()
 _refuse_pickles()
+_refuse_truth_values()
