@@ -33,8 +33,9 @@ export async function readOwnFile(file: File): Promise<OwnFile> {
   }
 }
 
-/** Words of the library begin with the name of the file. */
-function readable({ message, isInput }: EngineError, name: string): string {
+/** Words of the library begin with the name of the file. The way out for points is code, which this page does not take. */
+function readable({ message: given, isInput }: EngineError, name: string): string {
+  const message = given.replace(/[.;] (As a cloud of points, )?chasles\.points\(.*$/s, "");
   if (isInput) return message.startsWith(name) ? message : `${name}: ${message}`;
   return `${name}: is too large for the memory of this page, or the library failed (${message})`;
 }

@@ -76,9 +76,11 @@ class Files(PlaygroundTest):
             (write("photo.obj", picture_file()), ["photo.obj"]),
             (write("empty.ply", ""), ["empty.ply"]),
             (write("notes.txt", "hello"), ["notes.txt"]),
-            (write("points.obj", "v 0 0 0\nv 1 0 0\n"), ["points.obj"]),
+            (write("points.obj", "v 0 0 0\nv 1 0 0\n"), ["points.obj: has no face; a mesh needs at least one"]),
+            (write("cloud.xyz", "0 0 0\n"), ["cloud.xyz: is a cloud of points, not a mesh"]),
         ]:
             said = self.refused(file)
+            self.assertNotIn("chasles.points", said)
             for word in words:
                 self.assertIn(word, said)
             print(f"  {said}")
