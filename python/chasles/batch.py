@@ -75,7 +75,7 @@ def first_contact_batch(
         The maximal number of threads; 0 for all cores.
     errors : "raise" or "mark"
         How to treat an invalid pose or motion: "raise" raises InvalidInput with its index before any motion is answered, "mark"
-        sets the verdict of its row to "error".
+        sets the verdict of its row to "error". The reason is what `first_contact` raises for the motion of this row.
     progress : bool
         Show a progress bar; requires tqdm.
     table : structured array, optional

@@ -268,12 +268,14 @@ class CollisionManager:
         """
         if not isinstance(goals, Mapping):
             raise InvalidInput(f"goals: {with_article(goals)} is not a dict of transforms by name")
+        if motion not in ("velocity", "twist"):
+            raise InvalidInput(f"motion: {motion!r} is no kind of motion in a scene; velocity and twist are")
         for name in goals:
             self._get(name)
         scene = Scene()
         for name, placed in self._objects.items():
             goal = _pose(goals[name], f"goals[{name!r}]") if name in goals else None
-            scene.add(name, placed.shape, placed.pose, goal, motion=motion)
+            scene.add(name, placed.shape, placed.pose, goal, motion=None if goal is None else motion)
         return scene.first_contact(margin=margin)
 
 

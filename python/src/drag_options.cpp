@@ -24,15 +24,33 @@ DragLockKind lock_kind(const std::string& name) {
     return DragLockKind(found - lock_kinds.begin());
 }
 
+/// What says nothing about a lock is refused.
+DragLock lock_from(const std::string& name, nb::handle direction, nb::handle point) {
+    DragLock lock{lock_kind(name)};
+    const auto set = [&](const char* part, nb::handle given, bool is_part, Eigen::Vector3d& value) {
+        if (given.is_none())
+            return;
+        if (!is_part)
+            throw InvalidInput(fmt::format("drag: lock: {}: says nothing about a lock of the kind {}", part, name));
+        value = vector_from(given, part);
+    };
+    const bool has_line = lock.kind == DragLockKind::hinge || lock.kind == DragLockKind::cylinder;
+    set("direction", direction, lock.kind != DragLockKind::free, lock.direction);
+    set("point", point, has_line, lock.point);
+    return lock;
+}
+
 constexpr const char* lock_doc =
     "How a dragged body may move, in the world, from where it is when the dragging begins.\n\n"
     "    hand = chasles.DraggedBody(scene, \"door\", lock=chasles.DragLock(\"hinge\", [0, 0, 1], [2, 0, 0]))\n\n"
     "Parameters\n----------\nkind : str\n"
     "    \"hinge\": it turns about a line. \"slider\": it slides along a direction. \"cylinder\": both. \"plane\": it\n"
-    "    slides in a plane and turns about its normal. \"free\": every motion.\ndirection : array (3,)\n"
-    "    Of the line, or the normal of the plane; of any length but zero.\npoint : array (3,)\n"
-    "    On the line of a hinge or a cylinder, mesh unit.\n\n"
-    "Raises\n------\nInvalidInput\n    For an unknown kind. `DraggedBody` refuses directions and points that cannot be "
+    "    slides in a plane and turns about its normal. \"free\": every motion.\ndirection : array (3,), optional\n"
+    "    Of the line, or the normal of the plane; of any length but zero. By default (0, 0, 1).\n"
+    "point : array (3,), optional\n"
+    "    On the line of a hinge or a cylinder, mesh unit; by default the origin.\n\n"
+    "Raises\n------\nInvalidInput\n    For an unknown kind, and for a direction or a point that says nothing about "
+    "the kind. `DraggedBody` refuses directions and points that cannot be "
     "used.";
 
 constexpr const char* mass_doc =
@@ -63,11 +81,11 @@ void bind_lock(nb::module_& module) {
         .def(
             "__init__",
             [](DragLock* lock, const std::string& kind, nb::handle direction, nb::handle point) {
-                new (lock) DragLock{lock_kind(kind), vector_from(direction, "direction"), vector_from(point, "point")};
+                new (lock) DragLock(lock_from(kind, direction, point));
             },
-            "kind"_a, "direction"_a = nb::make_tuple(0, 0, 1), "point"_a = nb::make_tuple(0, 0, 0),
-            nb::sig("def __init__(self, kind: str, direction: numpy.typing.ArrayLike = (0, 0, 1), point: "
-                    "numpy.typing.ArrayLike = (0, 0, 0)) -> None"))
+            "kind"_a, "direction"_a = nb::none(), "point"_a = nb::none(),
+            nb::sig("def __init__(self, kind: str, direction: numpy.typing.ArrayLike | None = None, point: "
+                    "numpy.typing.ArrayLike | None = None) -> None"))
         .def_prop_ro(
             "kind", [](const DragLock& lock) { return lock_kinds.at(std::size_t(lock.kind)); }, "As it was given.")
         .def("__getstate__",

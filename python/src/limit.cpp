@@ -103,9 +103,9 @@ void bind_limit(nb::module_& module) {
         "robots\n"
         "have the verdict 'unknown' then, and `clear_until` says what is proven. Rows of batches stay unanswered. "
         "Least\n"
-        "distances of pairs have the bracket so far, proofs of pairs of links stay open, and all other functions "
-        "raise\n"
-        "`Cancelled`. A limit inside another one shortens it. Ctrl-C needs no limit: it ends every question.\n\n"
+        "distances of pairs and robots have the bracket so far, and profiles the bounds so far, with `certain` False.\n"
+        "Proofs of pairs of links stay open, and all other functions raise `Cancelled`. A limit inside another one "
+        "shortens it. Ctrl-C needs no limit: it ends every question.\n\n"
         "Parameters\n----------\nseconds : float\n    Counted from the begin of the block; positive.")
         .def(nb::init<double>(), "seconds"_a)
         .def("__enter__", &PythonLimit::enter, nb::rv_policy::reference)

@@ -83,12 +83,13 @@ double max_turn_of(view::MotionKind kind, std::optional<double> given) {
 TypedMotion motion_from(const MotionArguments& a) {
     const bool is_named = nb::isinstance<nb::str>(a.motion);
     if (!a.motion.is_none() && !is_named) {
+        const TypedMotion given = given_motion(a.motion);
         if (!none_of({a.start, a.goal, a.fixed_start, a.fixed_goal}))
             throw InvalidInput("motion: both a motion and poses are given; only one of them is allowed. With poses, "
                                "the motion may be 'screw', 'sweep', 'velocity' or 'twist'");
         if (a.max_turn)
             throw InvalidInput("max_turn: belongs to the motion, which is given");
-        return given_motion(a.motion);
+        return given;
     }
     const view::MotionKind kind = is_named ? kind_from(a.motion) : view::MotionKind::screw;
     if (a.start.is_none() || a.goal.is_none())

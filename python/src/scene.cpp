@@ -42,14 +42,18 @@ PlainMotion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, 
     std::string kind = "velocity";
     const bool is_named = motion.is_none() || nb::try_cast(motion, kind);
     if (!is_named) {
+        const TypedMotion given = given_motion(motion);
         if (!pose.is_none() || !goal.is_none() || !centre.is_none())
             throw InvalidInput("motion: stands instead of pose, goal and centre");
-        return as_plain(given_motion(motion));
+        return as_plain(given);
     }
     require_kind(kind);
     if (!centre.is_none() && kind == "twist")
         throw InvalidInput("centre: a twist has none");
     const Pose start = pose.is_none() ? Pose() : pose_from(pose, "pose");
+    if (goal.is_none() && !(motion.is_none() && centre.is_none()))
+        throw InvalidInput(std::string(motion.is_none() ? "centre" : "motion") +
+                           ": is for a body that moves; without a goal it stands still");
     if (goal.is_none())
         return made("rest", {listed(start)});
     const Eigen::Vector3d middle = centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre");
