@@ -11,6 +11,7 @@
 #include "view/answer_json.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
+#include "view/stamped_speeds.h"
 #include "view/why_uncertain.h"
 
 #include <fmt/format.h>
@@ -66,9 +67,7 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
     const double first = track.stamps().front(), last = track.stamps().back();
     found.time = found.time.upper == 0 ? Bracket{first, first} : track.stamp_of(found.time);
     found.clear_until = found.clear_until == 1 ? last : track.stamp_of({found.clear_until, found.clear_until}).lower;
-    for (auto* const contacts : {&found.contacts, &found.held})
-        for (Contact& contact : *contacts)
-            contact.approach_speed /= last - first;
+    view::count_in_stamps(found, last - first);
 }
 
 /// The whole path as one motion.

@@ -77,7 +77,9 @@ std::string profile_text(const DistanceProfile& found, const OneMotion& question
     text += labelled("free", intervals_text(found.free()));
     for (const double margin : margins) {
         const Zones zones = found.zones(margin);
-        text += labelled("within", fmt::format("{:.9g}: {}", margin, intervals_text(zones.inside)));
+        const bool is_open = zones.inside.empty() && !zones.doubt.empty();
+        text += labelled(
+            "within", fmt::format("{:.9g}: {}", margin, is_open ? "nowhere for sure" : intervals_text(zones.inside)));
         if (!zones.doubt.empty())
             text += labelled("", fmt::format("in doubt for {:.3g} of the motion", length_of(zones.doubt)));
     }

@@ -13,6 +13,7 @@
 #include "view/page.h"
 #include "view/proven_verdict.h"
 #include "view/robot_record.h"
+#include "view/stamped_speeds.h"
 #include "view/why_uncertain.h"
 
 #include <filesystem>
@@ -117,12 +118,6 @@ std::string clearance_json(const RobotQuestion& question, const RobotClearance& 
     return with_motion(std::move(answer), question);
 }
 
-/// Speeds become lengths per unit of the stamps.
-void count_in_stamps(std::vector<Contact>& contacts, const JointPath::Segment& segment) {
-    for (Contact& contact : contacts)
-        contact.approach_speed /= segment.end - segment.begin;
-}
-
 /// What a question refuses of motions gets the names of the files that say how bodies move.
 template <typename Ask>
 auto of_files(const RobotCommand& options, const Ask& ask) {
@@ -148,7 +143,7 @@ int run_clearance(const RobotCommand& options) {
         of_files(options, [&] { return RobotChecker(question.robot, question.world()).least_distance(path, asked); });
     warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps())
-        count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
+        view::count_in_stamps(found.nearest.contacts, view::duration_of(path, found.segment));
     const bool time_was_over = !found.certain && limit.is_over();
     const ExitStatus status = status_of(found.distance, time_was_over);
     print(options.json ? clearance_json(question, found, status) : robot_report(question, found, time_was_over));
@@ -196,7 +191,7 @@ int run_robot(const RobotCommand& options) {
     const std::vector<RobotPair> others = others_at_start(checker, path, found);
     warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps())
-        count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
+        view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
     print(options.json ? answer_json(question, found, others) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)

@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
+#include "cli/scene_clearance.h"
 #include "cli/scene_file.h"
 #include "cli/untested_text.h"
 #include "cli/warnings.h"
@@ -29,9 +30,11 @@ struct SceneOptions {
     std::string hold;   ///< likewise
     std::string until = "1";
     std::string time_tolerance = "1e-12";
-    std::string seconds; ///< empty: no limit
-    std::string page;    ///< empty: none
+    std::string seconds;            ///< empty: no limit
+    std::string tolerance = "1e-6"; ///< of the clearance
+    std::string page;               ///< empty: none
     std::string title;
+    bool finds_clearance = false;
     bool all = false;
     bool any = false;
     bool all_contacts = false;
@@ -45,6 +48,12 @@ QueryOptions query_options(const SceneOptions& options, const SceneFile& file) {
             .find = options.any            ? Find::any
                     : options.all_contacts ? Find::first_with_all_contacts
                                            : Find::first};
+}
+
+LeastDistanceOptions least_options(const SceneOptions& options) {
+    return {.tolerance = number_of("--tolerance", options.tolerance),
+            .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
+            .find = options.all_contacts ? Find::first_with_all_contacts : Find::first};
 }
 
 std::string pair_of(const Scene& scene, const SceneContact& contact) {
@@ -162,6 +171,8 @@ int run_scene(const SceneOptions& options) {
     if (!options.margin.empty())
         margin = number_of("--margin", options.margin);
     const SceneFile file = load_scene(options.file, options.polyhedron, margin);
+    if (options.finds_clearance)
+        return run_scene_clearance({file, least_options(options), options.seconds, options.json});
     PageFile page(options);
     const Interruption interruption;
     const Limit limit(seconds_of(options.seconds), [] { return !Interruption::is_requested(); });
@@ -197,23 +208,35 @@ void add_scene(CLI::App& app, Task& task) {
     add_mesh_options(command, options->polyhedron);
     add_radius_option(command, options->polyhedron.radius, "a body");
     auto* const all = command.add_flag("--all", options->all, "list the first contact of each pair, in order of time");
+    auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
+                                             "find how near the bodies come to each other, and which two");
+    clearance->excludes(all);
+    command
+        .add_option("--tolerance", options->tolerance, "aimed width of the bracket of the clearance, as a part of it")
+        ->needs(clearance)
+        ->type_name("T")
+        ->capture_default_str();
     command.add_option("--until", options->until, "leave out contacts after this time")
+        ->excludes(clearance)
         ->type_name("T")
         ->capture_default_str();
     command
         .add_option("--margin", options->margin,
                     "distance of the surfaces that counts as contact; instead of the file's")
+        ->excludes(clearance)
         ->type_name("D");
     command
         .add_option("--hold", options->hold,
                     "bodies that start within the margin may move on, but never come within this distance; instead of "
                     "the file's")
+        ->excludes(clearance)
         ->type_name("H");
     command.add_option("--time-tolerance", options->time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
     auto* const any = command.add_flag("--any", options->any, "stop at any contact, which need not be the first one");
     any->excludes(all);
+    any->excludes(clearance);
     command
         .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
         ->excludes(any);
@@ -223,6 +246,7 @@ void add_scene(CLI::App& app, Task& task) {
     command.add_flag("--json", options->json, "print one JSON object");
     auto* const page =
         command.add_option("--page", options->page, "write a page (HTML) that shows the scene and its contacts too")
+            ->excludes(clearance)
             ->type_name("FILE");
     command.add_option("--title", options->title, "title of the page; default: the name of the scene file")
         ->type_name("TEXT")

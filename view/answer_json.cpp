@@ -143,6 +143,17 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
     return answer;
 }
 
+Json scene_distance_json(const chasles::Scene& scene, const SceneDistance& found) {
+    Json answer{{"distance", found.nearest.distance.lower}, {"distance_upper", found.nearest.distance.upper}};
+    if (found.pair) {
+        answer["pair"] = Json{scene.bodies()[found.pair->first].name, scene.bodies()[found.pair->second].name};
+        add_found(answer, found.nearest, MotionKind::velocity); // which has no tau
+    }
+    answer["untested"] = untested_json(found.untested);
+    answer["work"] = json_of(found.nearest.work);
+    return answer;
+}
+
 Json configuration_json(const chasles::Robot& robot, const Configuration& configuration) {
     Json values = Json::object();
     for (std::size_t i = 0; i < robot.variables().size(); ++i)

@@ -2,11 +2,11 @@
 
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/profile_steps.h"
 #include "chasles/query/requirements.h"
 #include "chasles/search/chord_bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,9 +29,12 @@ constexpr int most_parts = 1 << 17; ///< of a question
 /// The bounds take this part of the tolerance and leave the rest to steps, which cost nothing.
 constexpr double share_of_bounds = 0.7;
 
-/// Where a margin is crossed, bounds become so narrow, as a part of what they are elsewhere, or parts so short.
+/// At a margin nearest features are exact up to this part of the widths elsewhere, and so narrow bounds are its
+/// crossing.
 constexpr double narrowest = 1e-4;
-constexpr double few_time_tolerances = 16;
+
+/// For roundings of balls, as a share of all lengths.
+constexpr double rounding_of_balls = 1e-12;
 
 class ProfileSearch {
 public:
@@ -48,19 +51,14 @@ private:
     void run(const PieceContext& piece);
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
-    NearKnot nearest_at(double tau, const Features& guesses) {
-        return chords_->nearest_at(tau, guesses, [&](double distance) { return 0.125 * width_at(distance); });
-    }
+    NearKnot nearest_at(double tau, const Features& guesses);
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
     DistanceBounds touching_bounds(const Knot& start, const Knot& end);
     [[nodiscard]] DistanceBounds of_bodies(const DistanceBounds& of_surfaces) const;
     [[nodiscard]] double width_at(double distance) const;
-    [[nodiscard]] double share_in_doubt(const DistanceBounds& bounds) const;
-    void add_steps(const Knot& start, const Knot& end, const DistanceBounds& bounds);
-    void add_even_steps(double from, double to, const DistanceBounds& bounds);
-    void add_step(double from, double to, double lower, double upper);
-    [[nodiscard]] double time_of(double tau) const;
+    [[nodiscard]] LinearBound widths_of(const Knot& start, const Knot& end) const;
+    [[nodiscard]] double farthest() const;
 
     const Body& moving_;
     const Body& fixed_;
@@ -70,13 +68,17 @@ private:
     double clear_until_ = 1; ///< time: nothing touches before it
     const PieceContext* piece_ = nullptr;
     std::optional<ChordBounds> chords_; ///< of the piece
+    Features last_;                     ///< nearest at the end of the piece before
     int parts_ = 0;
-    DistanceProfile profile_;
+    query::ProfileSteps steps_;
+    bool certain_ = true;
+    Work work_;
 };
 
 ProfileSearch::ProfileSearch(const ProfileQuery& question)
     : moving_(question.moving.body()), fixed_(question.fixed.body()), trajectory_(question.motion.trajectory()),
-      options_(question.options), radii_(distance_of_polyhedra(moving_, fixed_, 0)) {
+      options_(question.options), radii_(distance_of_polyhedra(moving_, fixed_, 0)),
+      steps_(options_, 1 - share_of_bounds) {
     if (options_.absolute_tolerance == 0)
         options_.absolute_tolerance = 1e-6 * (moving_.ball_radius() + fixed_.ball_radius());
     std::ranges::sort(options_.margins);
@@ -84,51 +86,75 @@ ProfileSearch::ProfileSearch(const ProfileQuery& question)
 
 DistanceProfile ProfileSearch::run() {
     const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory_, QueryOptions{}});
-    profile_.work += touch.work;
-    profile_.certain = true;
+    work_ += touch.work;
     clear_until_ = touch.clear_until;
     const auto pieces = trajectory_.pieces();
-    for (std::size_t i = 0; i < pieces->size(); ++i)
+    for (std::size_t i = 0; i < pieces->size() && !is_cancelled(); ++i)
         run(PieceContext(moving_, fixed_, pieces->at(i)));
-    profile_.times.front() = 0; // clocks are rounded
-    profile_.times.back() = 1;
-    profile_.lower.push_back(profile_.lower.back());
-    profile_.upper.push_back(profile_.upper.back());
-    return std::move(profile_);
+    if (is_cancelled()) {
+        steps_.add_rest(0, farthest());
+        certain_ = false;
+    }
+    DistanceProfile profile = std::move(steps_).result();
+    profile.certain = certain_;
+    profile.work = work_;
+    return profile;
+}
+
+/// The bodies are never farther apart: no farther than one vertex of each.
+double ProfileSearch::farthest() const {
+    const Eigen::Vector3d &moving = moving_.vertices().front(), &fixed = fixed_.vertices().front();
+    const motion::PathBall path = trajectory_.ball_around_path({moving.x(), moving.y(), moving.z()});
+    const Eigen::Vector3d centre(path.centre.x, path.centre.y, path.centre.z);
+    return std::max(0.0, ((centre - fixed).norm() + path.radius + rounding_of_balls * path.size) - radii_);
 }
 
 /// From part to part in order of time. A part whose bounds are too far from each other is halved.
 void ProfileSearch::run(const PieceContext& piece) {
     piece_ = &piece;
+    steps_.begin(piece.piece());
     chords_.emplace(piece);
-    Knot start = knot_at(0, {});
+    Knot start = knot_at(0, last_);
     std::vector<Knot> ends{knot_at(1, {start.near.features})};
-    while (!ends.empty()) {
+    last_ = {ends.front().near.features};
+    while (!ends.empty() && !is_cancelled()) {
         ++parts_;
         const Knot& end = ends.back();
-        const double width = end.near.tau - start.near.tau;
-        const bool is_last = width <= shortest_part || parts_ > most_parts || is_cancelled();
+        const Bracket part{start.near.tau, end.near.tau};
+        const double width = part.upper - part.lower;
+        const bool is_last = width <= shortest_part || parts_ > most_parts;
         if (const auto bounds = bounds_of(start, end, is_last)) {
             if (start.touch == Touch::apart || end.touch == Touch::apart)
-                add_steps(start, end, *bounds);
+                steps_.add(part, *bounds);
             else
-                add_step(start.near.tau, end.near.tau, 0, std::max(0.0, bounds->upper.greatest()));
+                steps_.add_one(part, 0, std::max(0.0, bounds->upper.greatest()));
             start = end;
             ends.pop_back();
         } else {
-            ends.push_back(knot_at(start.near.tau + 0.5 * width, {start.near.features, end.near.features}));
+            ends.push_back(knot_at(part.lower + 0.5 * width, {start.near.features, end.near.features}));
         }
     }
-    profile_.work += chords_->work();
+    work_ += chords_->work();
+}
+
+/// The features may be other ones than the nearest, by an eighth of the width of bounds; where a margin is near, by an
+/// eighth of the narrowest ones.
+NearKnot ProfileSearch::nearest_at(double tau, const Features& guesses) {
+    return chords_->nearest_at(tau, guesses, [&](double distance) {
+        const double width = width_at(distance);
+        const bool is_at_margin = std::ranges::any_of(
+            options_.margins, [&](double margin) { return std::abs(distance - radii_ - margin) <= width; });
+        return 0.125 * width * (is_at_margin ? narrowest : 1);
+    });
 }
 
 /// Before the first contact nothing touches. Later, the bodies are tested at rest.
 ProfileSearch::Knot ProfileSearch::knot_at(double tau, const Features& guesses) {
-    if (clear_until_ < 1 && time_of(tau) >= clear_until_) {
+    if (clear_until_ < 1 && steps_.time_of(tau) >= clear_until_) {
         const Pose moving = piece_->piece().pose_at(tau), fixed = piece_->piece().fixed_pose_at(tau);
         const Motion at_rest = Motion::at_rest(Pose(fixed.isometry().inverse() * moving.isometry()));
         const FirstContact found = query::answer_or_unknown({moving_, fixed_, at_rest.trajectory(), QueryOptions{}});
-        profile_.work += found.work;
+        work_ += found.work;
         if (found.overlap)
             return {chords_->crossing_at(tau, found.overlap->point), Touch::meets};
         const Touch touch = found.inside                                 ? Touch::nested
@@ -146,38 +172,44 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
         const bool is_short = is_last || end.near.tau - start.near.tau <= shortest_touching_part;
         return is_narrow || is_short ? std::optional(bounds) : std::nullopt;
     }
-    const auto width_of = [&](const Knot& knot) {
-        return share_of_bounds * width_at(knot.touch == Touch::apart ? knot.near.distance : 0);
-    };
     const bool is_nested = start.touch == Touch::nested || end.touch == Touch::nested;
     // How deep in touch, where the widths are those of touch.
     const double depth = radii_ - std::min(start.near.distance, end.near.distance);
     if (!is_last && (is_nested || depth > options_.absolute_tolerance))
         return std::nullopt;
-    if (is_nested || is_cancelled()) {
-        profile_.certain = profile_.certain && is_nested;
+    if (is_nested)
         return of_bodies({{}, chords_->upper_between(start.near, end.near)});
-    }
     if (is_last) {
-        profile_.certain = false;
+        certain_ = false;
         return of_bodies(*chords_->between(start.near, end.near, std::nullopt));
     }
-    const LinearBound widths{width_of(start), width_of(end)};
-    const auto bounds_within = [&](const LinearBound& narrow) {
-        const auto found = chords_->between(start.near, end.near, narrow);
-        return found ? std::optional(of_bodies(*found)) : std::nullopt;
+    const LinearBound widths = widths_of(start, end);
+    const auto found = chords_->between(start.near, end.near, widths);
+    if (!found)
+        return std::nullopt;
+    const DistanceBounds bounds = of_bodies(*found);
+    const double time = steps_.time_of(end.near.tau) - steps_.time_of(start.near.tau);
+    const auto is_in_doubt = [&](const DistanceBounds& b) {
+        return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
     };
-    const auto bounds = bounds_within(widths);
-    const double time = time_of(end.near.tau) - time_of(start.near.tau);
-    if (!bounds || time <= few_time_tolerances * options_.time_tolerance ||
-        share_in_doubt(*bounds) * time <= options_.time_tolerance)
+    if (!is_in_doubt(bounds))
         return bounds;
-    const double change = std::abs(end.near.distance - start.near.distance);
-    const auto narrow = [&](double width) {
-        return std::max(0.5 * change * options_.time_tolerance / time, narrowest * width);
+    const DistanceBounds best = of_bodies(*chords_->between(start.near, end.near, std::nullopt));
+    const bool is_margin = query::share_in_doubt(best, options_.margins) == 1 &&
+                           best.upper.greatest() - best.lower.least() <= narrowest * widths.least();
+    if (is_in_doubt(best) && !is_margin && time > options_.time_tolerance)
+        return std::nullopt;
+    return std::min(best.lower.start - bounds.lower.start, best.lower.end - bounds.lower.end) < 0 ? bounds : best;
+}
+
+/// Linear between both ends, and nowhere more than `width_at`, which is convex.
+LinearBound ProfileSearch::widths_of(const Knot& start, const Knot& end) const {
+    const auto width_of = [&](const Knot& knot) {
+        return share_of_bounds * width_at(knot.touch == Touch::apart ? knot.near.distance : 0);
     };
-    const auto narrower = bounds_within({narrow(widths.start), narrow(widths.end)});
-    return narrower && share_in_doubt(*narrower) * time <= options_.time_tolerance ? narrower : std::nullopt;
+    const LinearBound widths{width_of(start), width_of(end)};
+    const double least = share_of_bounds * options_.absolute_tolerance;
+    return widths.least() > least ? widths : LinearBound{least, least};
 }
 
 /// While the surfaces do not meet, what is inside stays inside.
@@ -200,94 +232,6 @@ DistanceBounds ProfileSearch::of_bodies(const DistanceBounds& of_surfaces) const
 
 double ProfileSearch::width_at(double distance) const {
     return std::max(options_.tolerance * (distance - radii_), options_.absolute_tolerance);
-}
-
-double ProfileSearch::time_of(double tau) const {
-    const Bracket time = piece_->piece().time_of({tau, tau});
-    return std::clamp(0.5 * (time.lower + time.upper), 0.0, 1.0);
-}
-
-/// The shares of a part at which a linear bound is equal to a value, in [0, 1].
-std::optional<double> crossing_of(const LinearBound& bound, double value) {
-    const double share = (value - bound.start) / (bound.end - bound.start);
-    return share > 0 && share < 1 ? std::optional(share) : std::nullopt;
-}
-
-/// For what share of a part it is not known whether the distance is more than some margin.
-double ProfileSearch::share_in_doubt(const DistanceBounds& bounds) const {
-    double longest = 0;
-    for (const double margin : options_.margins) {
-        if (bounds.lower.least() > margin || bounds.upper.greatest() <= margin)
-            continue;
-        std::array<double, 4> shares{0, crossing_of(bounds.lower, margin).value_or(0),
-                                     crossing_of(bounds.upper, margin).value_or(0), 1};
-        std::ranges::sort(shares);
-        double doubt = 0;
-        for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-            const double middle = 0.5 * (shares[i] + shares[i + 1]);
-            if (bounds.lower.at(middle) <= margin && bounds.upper.at(middle) > margin)
-                doubt += shares[i + 1] - shares[i];
-        }
-        longest = std::max(longest, doubt);
-    }
-    return longest;
-}
-
-/// Between the margins that the bounds cross.
-void ProfileSearch::add_steps(const Knot& start, const Knot& end, const DistanceBounds& bounds) {
-    std::vector<double> shares{0, 1};
-    const auto cut = [&](const LinearBound& bound, double value) {
-        if (const auto share = crossing_of(bound, value))
-            shares.push_back(*share);
-    };
-    for (const double margin : options_.margins) { // steps that end there are on one side of it
-        const double rounding = 0x1p-40 * std::max(margin, options_.absolute_tolerance);
-        cut(bounds.lower, margin + rounding);
-        cut(bounds.upper, margin - rounding);
-    }
-    cut(bounds.lower, 0);
-    cut(bounds.upper, 0);
-    std::ranges::sort(shares);
-    const double from = start.near.tau, width = end.near.tau - start.near.tau;
-    for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-        const auto part = [&](const LinearBound& bound) {
-            return LinearBound{std::max(0.0, bound.at(shares[i])), std::max(0.0, bound.at(shares[i + 1]))};
-        };
-        add_even_steps(from + shares[i] * width, from + shares[i + 1] * width,
-                       {part(bounds.lower), part(bounds.upper)});
-    }
-}
-
-/// Halves, until the bounds change little in each.
-void ProfileSearch::add_even_steps(double from, double to, const DistanceBounds& bounds) {
-    const auto change = [](const LinearBound& bound) { return std::abs(bound.end - bound.start); };
-    const double width = std::max({options_.tolerance * bounds.lower.least(), options_.absolute_tolerance,
-                                   bounds.upper.least() - bounds.lower.greatest()});
-    const double middle = 0.5 * (from + to);
-    if (std::max(change(bounds.lower), change(bounds.upper)) <= (1 - share_of_bounds) * width ||
-        !(from < middle && middle < to)) {
-        add_step(from, to, bounds.lower.least(), bounds.upper.greatest());
-        return;
-    }
-    const auto earlier = [](const LinearBound& bound) { return LinearBound{bound.start, bound.at(0.5)}; };
-    const auto later = [](const LinearBound& bound) { return LinearBound{bound.at(0.5), bound.end}; };
-    add_even_steps(from, middle, {earlier(bounds.lower), earlier(bounds.upper)});
-    add_even_steps(middle, to, {later(bounds.lower), later(bounds.upper)});
-}
-
-/// Steps between equal times are one.
-void ProfileSearch::add_step(double from, double to, double lower, double upper) {
-    DistanceProfile& p = profile_;
-    if (p.times.empty())
-        p.times.push_back(time_of(from));
-    if (const double end = time_of(to); end > p.times.back()) {
-        p.times.push_back(end);
-        p.lower.push_back(lower);
-        p.upper.push_back(upper);
-    } else if (!p.lower.empty()) {
-        p.lower.back() = std::min(p.lower.back(), lower);
-        p.upper.back() = std::max(p.upper.back(), upper);
-    }
 }
 
 /// Adds a part of time, which may continue the last one.

@@ -181,7 +181,8 @@ struct [[nodiscard]] RobotAnswer {
     /// Before this stamp nothing comes within the margin; held pairs do not come within `hold`, or nearer than where
     /// their segment began if that is less.
     double clear_until = 0;
-    Configuration clear_configuration;             ///< at clear_until
+    /// At clear_until: just before contact, so a question that starts there may find one. `hold` lets it go on.
+    Configuration clear_configuration;
     std::size_t pairs = 0;                         ///< that were searched, because boxes did not prove them apart
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
     Work work;

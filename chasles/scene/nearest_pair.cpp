@@ -7,10 +7,12 @@
 #include "chasles/query/requirements.h"
 #include "chasles/scene/curve_order.h"
 #include "chasles/scene/pair_question.h"
+#include "chasles/scene/pair_tasks.h"
 #include "chasles/scene/swept_body.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
@@ -93,7 +95,7 @@ public:
         : scene_(scene), query_(query), is_within_(!query.second), first_(scene, query.first),
           second_(scene, query.second.value_or(std::vector<std::size_t>())) {}
 
-    NearestPair run();
+    SceneDistance run();
 
 private:
     [[nodiscard]] const SweptTree& second() const { return is_within_ ? first_ : second_; }
@@ -103,6 +105,7 @@ private:
     [[nodiscard]] double searched_distance() const {
         return best_.nearest.distance.upper * (1 - 0.5 * query_.options.tolerance);
     }
+    void search();
     void push(const Node& first, const Node& second);
     void split(const NodePair& nodes);
     void compare(const NodePair& leaves);
@@ -112,7 +115,7 @@ private:
     bool is_within_; ///< all pairs of one list
     SweptTree first_, second_;
     std::priority_queue<NodePair> queue_;
-    NearestPair best_;
+    SceneDistance best_;
     Work work_;
 };
 
@@ -147,18 +150,18 @@ void NearestPairSearch::split(const NodePair& nodes) {
 
 /// A pair is searched only if it comes nearer than the nearest one so far.
 void NearestPairSearch::compare(const NodePair& leaves) {
-    std::size_t moving = first_.body(leaves.first), fixed = second().body(leaves.second);
-    if (is_within_ && fixed < moving)
-        std::swap(moving, fixed);
-    if (moving == fixed || scene_.is_ignored(moving, fixed))
+    const std::size_t first = first_.body(leaves.first), other = second().body(leaves.second);
+    const bool never_move = scene_.rests(first) && scene_.rests(other);
+    if (first == other || scene_.is_ignored(first, other) || (never_move && !query_.rests))
         return;
     throw_if_cancelled();
+    const auto [moving, fixed] = in_their_roles(scene_, {std::uint32_t(first), std::uint32_t(other)});
     const auto mover = [&](std::size_t i) {
         const SceneBody& body = scene_.bodies()[i];
         return Mover{body.name, body.shape, scene_.motion_of(i)};
     };
     const Mover a = mover(moving), b = mover(fixed);
-    ++best_.searched;
+    ++best_.pairs;
     if (best_.pair && searched_distance() <= Pose::largest_length) { // a margin is no larger
         QueryOptions options;
         options.find = Find::any;
@@ -172,8 +175,7 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     }
     LeastDistance found = least_distance_of(a, b, query_.options);
     work_ += found.work;
-    const double lower =
-        best_.pair ? std::min(best_.nearest.distance.lower, found.distance.lower) : found.distance.lower;
+    const double lower = std::min(best_.nearest.distance.lower, found.distance.lower);
     if (!best_.pair || found.distance.upper < best_.nearest.distance.upper) {
         best_.pair = {moving, fixed};
         best_.nearest = std::move(found);
@@ -181,31 +183,55 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     best_.nearest.distance.lower = lower;
 }
 
-NearestPair NearestPairSearch::run() {
-    if (first_.is_empty() || second().is_empty())
-        return best_;
-    push(first_.root(), second().root());
+SceneDistance NearestPairSearch::run() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    best_.nearest.distance = {infinity, infinity};
+    best_.nearest.certain = true;
+    if (!first_.is_empty() && !second().is_empty())
+        push(first_.root(), second().root());
+    try {
+        search();
+    } catch (const Cancelled&) { // pairs that are left are in the queue
+        best_.nearest.distance.lower = std::min(best_.nearest.distance.lower, queue_.top().bound);
+        best_.nearest.certain = false;
+    }
+    best_.nearest.work = work_;
+    return std::move(best_);
+}
+
+/// A pair leaves the queue when it is done.
+void NearestPairSearch::search() {
     while (!queue_.empty()) {
         const NodePair nodes = queue_.top();
-        queue_.pop();
         if (best_.pair && !can_be_nearer(nodes.bound))
             break;
         if (nodes.bound > Pose::largest_length)
             throw InvalidInput("distance: all objects are farther apart than 1e+30");
         if (nodes.first.level == 0 && nodes.second.level == 0)
             compare(nodes);
-        else
+        queue_.pop();
+        if (nodes.first.level > 0 || nodes.second.level > 0)
             split(nodes);
     }
-    best_.nearest.work = work_;
-    return best_;
 }
 
 } // namespace
 
-NearestPair nearest_pair(const Scene& scene, const NearestPairQuery& query) {
+SceneDistance nearest_pair(const Scene& scene, const NearestPairQuery& query) {
     query::check_options(query.options);
     return NearestPairSearch(scene, query).run();
 }
 
 } // namespace chasles::scene
+
+namespace chasles {
+
+SceneDistance Scene::least_distance(const LeastDistanceOptions& options) const {
+    std::vector<std::size_t> all(bodies_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    SceneDistance found = scene::nearest_pair(*this, {.first = std::move(all), .options = options, .rests = false});
+    found.untested = numbers_of_untested({});
+    return found;
+}
+
+} // namespace chasles

@@ -17,19 +17,12 @@ struct NearestPairQuery {
     /// Without it, all pairs of bodies of the first list are tested.
     std::optional<std::vector<std::size_t>> second = {};
     LeastDistanceOptions options = {};
+    bool rests = true; ///< two bodies that never move are a pair, too
 };
 
-struct NearestPair {
-    /// The first body moves, the second one is fixed; none if there is no pair that is not ignored.
-    std::optional<std::pair<std::size_t, std::size_t>> pair;
-    /// Of this pair. The lower end of its distance is proven for all pairs, and all work is counted.
-    LeastDistance nearest;
-    std::size_t searched = 0; ///< number of pairs whose surfaces were compared
-};
-
-/// The nearest pair, over the whole time [0, 1]. Where several are equally near, the answer is one of them. Throws
-/// InvalidInput for an option out of its range, for an unknown index, and if all pairs are farther apart than
-/// Pose::largest_length; Cancelled at a Limit.
-NearestPair nearest_pair(const Scene& scene, const NearestPairQuery& query);
+/// The nearest pair, over the whole time [0, 1], without the numbers of untested ones. Throws InvalidInput for an
+/// option out of its range, for an unknown index, and if all pairs are farther apart than Pose::largest_length. At a
+/// Limit the bracket is that of what is known so far.
+SceneDistance nearest_pair(const Scene& scene, const NearestPairQuery& query);
 
 } // namespace chasles::scene

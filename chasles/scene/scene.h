@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chasles/algebra/bracket.h"
-#include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
 #include "chasles/scene/untested_pairs.h"
 
 #include <cstdint>
@@ -69,6 +69,17 @@ struct [[nodiscard]] SceneAnswer {
     Work work;
 };
 
+/// How near the bodies of a scene come to each other.
+struct [[nodiscard]] SceneDistance {
+    /// That comes nearest: the first body moves, the second one is fixed; as in SceneContact. Where several pairs are
+    /// equally near, one of them. Empty if no pair is tested.
+    std::optional<std::pair<std::size_t, std::size_t>> pair;
+    /// Of this pair, in the world. The lower end of its distance is proven for all pairs; infinite if none is tested.
+    LeastDistance nearest;
+    std::size_t pairs = 0;  ///< whose surfaces were compared
+    UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
+};
+
 /// Bodies in one world over the time [0, 1]. Questions may be asked from several threads at a time; changes may not.
 class CHASLES_EXPORT Scene {
 public:
@@ -112,6 +123,10 @@ public:
     [[nodiscard]] SceneAnswer first_contact(const SceneQuery& query = {}) const;
     /// The first contact of each pair that touches.
     [[nodiscard]] SceneAnswer all_contacts(const SceneQuery& query = {}) const;
+    /// The nearest pair, over the whole time; margins have no effect. At a Limit the bracket is that of what is known
+    /// so far. Throws InvalidInput for an option out of its range, and if all pairs are farther apart than
+    /// Pose::largest_length. Source: docs/derivations/27-scenes.md, "Nearest".
+    [[nodiscard]] SceneDistance least_distance(const LeastDistanceOptions& options = {}) const;
     /// For each body the time until which it is proven clear of all others.
     [[nodiscard]] std::vector<double> clear_until(const SceneQuery& query = {}) const;
 

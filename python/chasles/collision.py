@@ -337,8 +337,8 @@ def _nearest(
 ) -> tuple[float, tuple[str, str] | None, DistanceData | None]:
     """The nearest pair of a body of each list, or of two bodies of the first list."""
     nearest = _nearest_pair(scene, first, second, tolerance=1e-12)
-    if nearest is None:
+    if nearest is None or nearest.pair is None:
         return math.inf, None, None
-    moving, fixed, found = nearest
+    moving, fixed = nearest.pair
     shown = moving[first_letter:], fixed[first_letter:]
-    return found.distance_upper, shown, DistanceData(shown, (bodies[moving], bodies[fixed]), found)
+    return nearest.distance_upper, shown, DistanceData(shown, (bodies[moving], bodies[fixed]), nearest)

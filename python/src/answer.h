@@ -6,7 +6,9 @@
 #include "python/src/motions.h"
 
 #include <nanobind/nanobind.h>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace chasles::python {
 
@@ -34,6 +36,7 @@ struct LeastAnswer {
     nanobind::object fixed;
     TypedMotion motion;
     bool is_swapped = false;
+    std::optional<std::pair<std::string, std::string>> pair = {}; ///< of bodies of a scene: the first one moves
 };
 
 /// The references of an answer about two bodies. The bodies stay when the collector clears the others.

@@ -10,6 +10,8 @@
 #include "python/src/signals.h"
 
 #include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
 namespace chasles::python {
@@ -71,8 +73,14 @@ void bind_answer(nb::module_& module) {
         .def_prop_ro(
             "distance_upper", [](const LeastAnswer& a) { return a.found.distance.upper; },
             "Upper end of the bracket around the least distance; 0 if the bodies touch.");
+    type.def_prop_ro(
+        "pair", [](const LeastAnswer& a) { return a.pair; },
+        "The names of two bodies of a scene, the moving one first; None for two polyhedra.");
     bind_members(type, member_docs);
-    type.def("__repr__", [](const LeastAnswer& a) { return "<chasles.LeastDistance: " + summary(a.found) + ">"; });
+    type.def("__repr__", [](const LeastAnswer& a) {
+        const std::string pair = a.pair ? ", " + a.pair->first + " to " + a.pair->second : "";
+        return "<chasles.LeastDistance: " + summary(a.found) + pair + ">";
+    });
 }
 
 std::string least_distance_doc() {

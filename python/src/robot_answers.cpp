@@ -9,6 +9,7 @@
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 #include "view/names.h"
+#include "view/stamped_speeds.h"
 #include "view/why_uncertain.h"
 
 #include <array>
@@ -141,7 +142,7 @@ void bind_contact(nb::module_& module) {
         .def_prop_ro(
             "contacts", [](const Answer& a) { return tuple_of(a.found.contact.contacts); },
             nb::sig("def contacts(self) -> tuple[Contact, ...]"),
-            "Where the pair touches, in the world; the first one of the pair moves.")
+            "Where the pair touches, in the world; the first one of the pair moves. Speeds are per unit of `time`.")
         .def_prop_ro(
             "contacts_cut", [](const Answer& a) { return a.found.contact.contacts_cut; },
             doc("FirstContact.contacts_cut"))
@@ -178,8 +179,10 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
     const JointPath path = path_from(checker.robot(), arguments);
     RobotAnswer found = asked([&] { return checker.first_contact(path); });
-    const bool is_last = found.segment + 1 == path.segments().size();
-    return {std::move(found), has_stamps(arguments), is_last};
+    const bool is_last = found.segment + 1 == path.segments().size(), in_stamps = has_stamps(arguments);
+    if (in_stamps)
+        view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
+    return {std::move(found), in_stamps, is_last};
 }
 
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {

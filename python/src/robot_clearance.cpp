@@ -3,6 +3,7 @@
 #include "python/src/answer.h"
 #include "python/src/docstrings.h"
 #include "python/src/robot.h"
+#include "view/stamped_speeds.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
@@ -32,7 +33,11 @@ PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start,
 
 PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& arguments, double tolerance) {
     const JointPath path = path_from(checker.robot(), arguments);
-    return {asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); }), has_stamps(arguments)};
+    RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); });
+    const bool in_stamps = has_stamps(arguments);
+    if (in_stamps)
+        view::count_in_stamps(found.nearest.contacts, view::duration_of(path, found.segment));
+    return {std::move(found), in_stamps};
 }
 
 void bind_robot_clearance(nb::module_& module) {
@@ -62,7 +67,8 @@ void bind_robot_clearance(nb::module_& module) {
         .def_prop_ro(
             "contacts", [](const Clearance& c) { return tuple_of(c.found.nearest.contacts); },
             nb::sig("def contacts(self) -> tuple[Contact, ...]"),
-            "The nearest features at `time`, in the world; the first one of the pair moves.")
+            "The nearest features at `time`, in the world; the first one of the pair moves. Speeds are per unit of "
+            "`time`.")
         .def_prop_ro(
             "configuration",
             [](const Clearance& c) { return c.found.pair ? array_of(c.found.configuration) : nb::none(); },

@@ -368,6 +368,16 @@ void bind_scene(nb::module_& module) {
              nb::sig("def all_contacts(self, " CHASLES_SCENE_OPTIONS CHASLES_FIND_TYPE
                      ", threads: int = 0) -> list[SceneContact]"),
              all_text.c_str())
+        .def("least_distance", scene_distance, nb::kw_only(), "tolerance"_a = default_tolerance,
+             "find"_a.none() = "first",
+             nb::sig("def least_distance(self, *, tolerance: float = 1e-6, " CHASLES_FIND_TYPE
+                     ") -> LeastDistance | None"),
+             "The two bodies that come nearest to each other, over the whole time: their LeastDistance, with `pair`, "
+             "their names. Its\nlower end holds for all pairs. Margins have no effect, and two bodies that both stand "
+             "still are no pair. None if no\ntwo bodies are tested.\n\nParameters\n----------\ntolerance : float\n"
+             "    Width of the bracket to aim for, as a part of the distance; in [1e-12, 1].\nfind : Find or str\n"
+             "    'first': one pair of nearest features; 'first_with_all_contacts': every pair.\n\nReturns\n-------\n"
+             "LeastDistance or None")
         .def("clear_until", clear_until, nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(), "until"_a = 1.0,
              "time_tolerance"_a = default_time_tolerance, "threads"_a = 0,
              nb::sig("def clear_until(self, " CHASLES_SCENE_OPTIONS "threads: int = 0) -> dict[str, float]"),

@@ -57,6 +57,9 @@ struct SceneContactAnswer : Answer {
 /// The motion of one body as seen from another one.
 PlainMotion relative_motion(const PythonScene& scene, const std::string& moving, const std::string& fixed);
 
+/// The LeastDistance of the nearest pair, or None.
+nb::object scene_distance(const PythonScene& scene, double tolerance, nb::handle find);
+
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin);
 
 std::vector<std::string> names_of(const PythonScene& scene);

@@ -54,6 +54,15 @@ TEST_F(ProfileCommand, SaysWhenTheBodiesAreFreeAndWithinMargins) {
     EXPECT_NE(finished.out.find("free      0 to 0.333"), std::string::npos) << finished.out;
 }
 
+TEST_F(ProfileCommand, SaysNeverOnlyWhereThatIsProven) {
+    const auto within = [&](const std::string& options) {
+        const std::string out = profile(options).out;
+        return out.substr(out.find("within"), out.find('\n', out.find("within")) - out.find("within"));
+    };
+    EXPECT_EQ(within("--start '0.2 0.2 0.2' --goal '0.3 0.3 0.3' --margins 0"), "within    0: nowhere for sure");
+    EXPECT_EQ(within("--start '3 0 0' --goal '3 1 0' --margins 1.5"), "within    1.5: never");
+}
+
 TEST_F(ProfileCommand, WritesATableAndAPicture) {
     EXPECT_EQ(profile(passing + "--csv p.csv --plot p.svg").status, 0);
     const auto content = [&](const char* name) {

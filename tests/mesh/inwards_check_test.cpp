@@ -274,8 +274,8 @@ std::string refusal_of_dent(double height, double distance) {
     soup.vertices.emplace_back(0.5, 0.5, 1);
     soup.faces.pop_back();
     soup.faces.insert(soup.faces.end(), {{4, 5, 8}, {5, 7, 8}, {7, 6, 8}, {6, 4, 8}});
-    const Body body(make_body(soup.vertices,
-                              std::vector<std::span<const std::uint32_t>>(soup.faces.begin(), soup.faces.end()), {}));
+    const chasles::Body body(make_body(
+        soup.vertices, std::vector<std::span<const std::uint32_t>>(soup.faces.begin(), soup.faces.end()), {}));
     std::vector<Vector3d> moved = soup.vertices;
     moved[8].z() = height;
     const std::vector<Vector3d> directions = face_directions(body, 0.001);

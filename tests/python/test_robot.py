@@ -313,3 +313,24 @@ def test_packages_that_are_not_used_make_a_warning(tmp_path):
     (tmp_path / "arm.urdf").write_text(ARM)
     robot = chasles.Robot.load(tmp_path / "arm.urdf", packages={"foo": "/none"})
     assert robot.warnings == ["packages: no collision shape has a mesh of 'foo', and there is no folder /none"]
+
+
+def test_speeds_are_those_of_the_times_beside_them(cube):
+    """A slide of 10 until a face at 3: at 1 per stamp of 10, and at 10 per segment."""
+    robot = chasles.Robot(
+        links=[{"name": "base"}, {"name": "slider", "collisions": [cube]}],
+        joints=[{"name": "x", "type": "prismatic", "parent": "base", "child": "slider"}],
+    )
+    world = chasles.Scene()
+    world.add("wall", cube, pose=[4, 0, 0, 1, 0, 0, 0])
+    ends, stamps, rates = [[0], [10]], [5, 15], [[1], [1]]
+    for found, time, speed in [
+        (robot.first_contact_on_path(ends, scene=world), 0.3, 10),
+        (robot.first_contact_on_path(ends, stamps, scene=world), 8, 1),
+        (robot.first_contact_on_path(ends, stamps, rates, scene=world), 8, 1),
+        (robot.first_contact_on_path(chasles.JointPath.cubic(robot, stamps, ends, rates), scene=world), 8, 1),
+        (robot.first_contact_on_path([[0], [2], [10]], [5, 6, 14], scene=world), 7, 1),
+        (chasles.RobotChecker(robot, world).least_distance_on_path(ends, stamps), 8, 1),
+    ]:
+        assert found.time <= time <= found.time_upper and found.time_upper - found.time < 1e-9
+        assert found.contacts[0].approach_speed == pytest.approx(speed, rel=1e-9)

@@ -152,3 +152,24 @@ def test_wrong_arguments_are_refused(scene, cube):
     with pytest.raises(TypeError, match="shape: must be a chasles.Polyhedron"):
         scene.add("a", None)
     assert scene.names == ["left", "right", "floor"]
+
+
+def test_the_least_distance_names_its_pair(cube):
+    """A cart passes a post at (0.3, 0.4); the wall beside the post stands still, as the post does."""
+    scene = chasles.Scene()
+    scene.add("post", cube)
+    scene.add("wall", cube, pose=[1.001, 0, 0, 1, 0, 0, 0])
+    assert scene.least_distance() is None  # nothing moves
+    scene.add("cart", cube, pose=[-4, 1.3, 1.4, 1, 0, 0, 0], goal=[4, 1.3, 1.4, 1, 0, 0, 0])
+    found = scene.least_distance(tolerance=1e-9)
+    assert found.pair[0] == "cart" and found.certain
+    assert found.distance <= 0.5 <= found.distance_upper + 1e-12 and found.distance_upper - found.distance < 1e-8
+    assert found.contacts[0].gap == pytest.approx(0.5, abs=1e-9) and "cart to " in repr(found)
+    scene.ignore("cart", "post")
+    assert scene.least_distance().pair == ("cart", "wall")
+    with chasles.Limit(1e-9):
+        cut = scene.least_distance()
+    assert cut is None or not cut.certain
+    with pytest.raises(chasles.InvalidInput, match="tolerance"):
+        scene.least_distance(tolerance=2)
+    assert chasles.least_distance(cube, cube, [3, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 0, 0, 0]).pair is None

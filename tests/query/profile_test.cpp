@@ -90,11 +90,12 @@ TEST(Profile, IsNeverCrossedByTheDistancesOfAllTriangles) {
         const Pose start = random_pose(), goal = random_pose();
         for (const Motion& motion : {Motion(ScrewMotion::between(start, goal)), Motion::velocity(start, goal),
                                      Motion(SweepMotion::between(start, goal)), Motion::twist(start, goal)}) {
-            const DistanceProfile found = ask(moving, fixed, motion, {.tolerance = 0.02});
+            const ProfileOptions options{.tolerance = 0.02, .absolute_tolerance = random.chance(0.5) ? 1e-5 : 3e-3};
+            const DistanceProfile found = ask(moving, fixed, motion, options);
             if (found.free().size() != 1 || found.free()[0].lower > 0 || found.free()[0].upper < 1)
                 continue; // surfaces that cross have distances that are not 0
             ++seen;
-            expect_narrow(found, 0.02, 1e-5);
+            expect_narrow(found, 0.02, options.absolute_tolerance);
             const double radii = moving.report().radius + fixed.report().radius;
             const auto distance = [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)) - radii; };
             expect_holds(found, distance, 100);
@@ -155,6 +156,46 @@ TEST(Profile, ZonesEndWhereMarginsAreCrossed) {
     EXPECT_EQ(found.zones(100).inside.size(), 1U);
 }
 
+/// Times of a margin in doubt are as short as asked, but where the distance hardly leaves the margin.
+TEST(Profile, CrossingsOfTurningBoxesAreBoundedClosely) {
+    Random random(7);
+    int crossings = 0;
+    for (int i = 0; i < 30; ++i) {
+        const auto random_box = [&] {
+            return box({random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)}).polyhedron();
+        };
+        const auto random_pose = [&] { return Pose(eigen(random.vector(4)), random_rotation(random)); };
+        const Polyhedron moving = random_box(), fixed = random_box();
+        const Motion motion = Motion::velocity(random_pose(), random_pose());
+        const auto distance = [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)); };
+        const double margin = distance(random.uniform(0.1, 0.9));
+        const double tolerance = random.chance(0.5) ? 0.01 : 0.2;
+        const DistanceProfile found =
+            ask(moving, fixed, motion, {.tolerance = tolerance, .absolute_tolerance = 1e-4, .margins = {margin}});
+        if (found.free().size() == 1 && found.free()[0].lower == 0 && found.free()[0].upper == 1)
+            expect_narrow(found, tolerance, 1e-4);
+        for (const Bracket& part : found.zones(margin).doubt) {
+            ++crossings;
+            for (int k = 0; k <= 10 && part.upper - part.lower > 4e-6; ++k)
+                EXPECT_NEAR(distance(part.lower + 0.1 * k * (part.upper - part.lower)), margin,
+                            1e-3 * tolerance * margin + 2e-5);
+        }
+    }
+    EXPECT_GT(crossings, 20);
+}
+
+/// A distance that is the margin all along is in doubt all along, in few steps.
+TEST(Profile, AMarginThatIsTheDistanceCostsNothing) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const DistanceProfile found = ask(cube, cube, Motion::slider({0, 0, 1}, {-0.5, 1}), {.margins = {0}});
+    EXPECT_TRUE(found.zones(0).inside.empty());
+    const DistanceProfile beside =
+        ask(cube, cube, relative(Motion::slider({0, 0, 1}, {-0.5, 1}), Motion::at_rest(shifted(4, 0, 0))),
+            {.margins = {2}});
+    EXPECT_LT(beside.times.size(), 1000U);
+    EXPECT_EQ(beside.zones(2).doubt.size() + beside.zones(2).inside.size(), 1U);
+}
+
 /// What is inside of a solid body is at the distance 0; without a volume it is apart from the surface.
 TEST(Profile, OfABodyInsideOfAnotherOne) {
     const Polyhedron small = box({0.25, 0.25, 0.25}).polyhedron();
@@ -178,6 +219,9 @@ TEST(Profile, AtALimitIsWhatIsProvenSoFar) {
     EXPECT_EQ(found.times.back(), 1);
     expect_holds(
         found, [](double time) { return 4 - 3 * time; }, 50);
+    const DistanceProfile of_turns = ask(cube, cube, Motion::hinge({5, 0, 0}, {0, 0, 1}, {0, 300}));
+    EXPECT_EQ(of_turns.times.size(), 2U) << "no piece is begun";
+    EXPECT_GE(of_turns.upper.front(), 8);
 }
 
 TEST(Profile, OptionsOutOfTheirRangeAreRefused) {

@@ -14,7 +14,6 @@ namespace chasles::test {
 namespace {
 
 using scene::nearest_pair;
-using scene::NearestPair;
 using scene::NearestPairQuery;
 
 /// Half of the bodies stand still. Few stand so close that they touch.
@@ -58,7 +57,7 @@ TEST(NearestPair, IsThatOfAllPairs) {
             NearestPairQuery query{.first = all_of(0, is_within ? count : middle)};
             if (!is_within)
                 query.second = all_of(middle, count);
-            const NearestPair found = nearest_pair(world, query);
+            const SceneDistance found = nearest_pair(world, query);
             ASSERT_EQ(found.pair.has_value(), expected < std::numeric_limits<double>::infinity());
             if (!found.pair)
                 continue;
@@ -74,6 +73,30 @@ TEST(NearestPair, IsThatOfAllPairs) {
     EXPECT_LT(apart, 230);
 }
 
+/// Of a scene: without pairs that are ignored, or that never move.
+TEST(NearestPair, OfASceneIsThatOfItsTestedPairs) {
+    Random random(4105);
+    for (int trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE(trial);
+        Scene world = random_world(random, random.integer(3, 8), trial % 3 == 0 ? 3 : 12);
+        world.ignore("1", "2");
+        double expected = std::numeric_limits<double>::infinity();
+        for (std::size_t a = 0; a < world.bodies().size(); ++a)
+            for (std::size_t b = a + 1; b < world.bodies().size(); ++b)
+                if (!world.is_ignored(a, b) && (a % 2 == 1 || b % 2 == 1))
+                    expected = std::min(expected, of_pair(world, a, b).distance.upper);
+        const SceneDistance found = world.least_distance({.tolerance = 1e-9});
+        ASSERT_TRUE(found.pair);
+        EXPECT_TRUE(found.nearest.certain);
+        EXPECT_LE(found.nearest.distance.lower, expected);
+        EXPECT_NEAR(found.nearest.distance.upper, expected, 1e-6 * expected);
+        const auto [moving, fixed] = *found.pair;
+        EXPECT_TRUE(moving % 2 == 1) << "what stands still is the fixed one";
+        EXPECT_EQ(found.untested.count(UntestedReason::ignored), 1U);
+        EXPECT_NE(std::minmax(moving, fixed), std::minmax(std::size_t(1), std::size_t(2)));
+    }
+}
+
 /// The tree and the bounds leave few pairs of a thousand bodies.
 TEST(NearestPair, ComparesFewPairs) {
     Random random(4102);
@@ -85,10 +108,10 @@ TEST(NearestPair, ComparesFewPairs) {
         pose.translation += 8 * Eigen::Vector3d(i % 10, i / 10 % 10, i / 100);
         world.add({std::to_string(i), shape, Motion::at_rest(pose), ""});
     }
-    const NearestPair found = nearest_pair(world, {.first = all_of(0, 1000)});
+    const SceneDistance found = nearest_pair(world, {.first = all_of(0, 1000)});
     ASSERT_TRUE(found.pair);
     EXPECT_GT(found.nearest.distance.lower, 0);
-    EXPECT_LT(found.searched, 4000U); // of 499,500
+    EXPECT_LT(found.pairs, 4000U); // of 499,500
 }
 
 TEST(NearestPair, OfNoPairIsNone) {
@@ -105,7 +128,10 @@ TEST(NearestPair, IsCancelledAndRefusesWhatItCannotUse) {
     const Scene world = random_world(random, 4, 5);
     {
         const Limit no_time(1e-9);
-        EXPECT_THROW(static_cast<void>(nearest_pair(world, {.first = all_of(0, 4)})), Cancelled);
+        const SceneDistance found = world.least_distance();
+        EXPECT_FALSE(found.nearest.certain);
+        EXPECT_EQ(found.nearest.distance.upper, std::numeric_limits<double>::infinity());
+        EXPECT_LE(found.nearest.distance.lower, of_pair(world, 0, 1).distance.upper);
     }
     EXPECT_THROW(static_cast<void>(nearest_pair(world, {.first = {4}})), InvalidInput);
     EXPECT_THROW(static_cast<void>(nearest_pair(world, {.first = {0, 1}, .options = {.tolerance = 2}})), InvalidInput);

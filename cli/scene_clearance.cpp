@@ -1,0 +1,50 @@
+#include "cli/scene_clearance.h"
+
+#include "chasles/base/limit.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "cli/untested_text.h"
+#include "cli/warnings.h"
+#include "view/answer_json.h"
+#include "view/names.h"
+
+namespace chasles::cli {
+namespace {
+
+std::string report_of(const SceneFile& file, const SceneDistance& found, bool time_was_over) {
+    if (!found.pair)
+        return naming_motion(found.nearest.certain
+                                 ? "CLEARANCE WITHOUT A LIMIT: no two bodies are tested"
+                                 : "NO CLEARANCE PROVEN: the time was over before two bodies were searched",
+                             file.motion) +
+               report(found.untested);
+    const auto& [moving, fixed] = *found.pair;
+    return headline(found.nearest, file.motion, time_was_over) + report(found.untested) +
+           labelled("pair", file.scene.bodies()[moving].name + " on " + file.scene.bodies()[fixed].name) +
+           report_least(found.nearest, time_was_over) + report(found.nearest.work);
+}
+
+std::string json_of(const SceneFile& file, const SceneDistance& found, ExitStatus status) {
+    view::Json answer = view::scene_distance_json(file.scene, found);
+    if (status == is_unknown)
+        answer["verdict"] = view::name_of(Verdict::unknown);
+    answer["motion"] = {{"kind", file.motion}};
+    add_warnings(answer, file.warnings);
+    return answer.dump() + "\n";
+}
+
+} // namespace
+
+int run_scene_clearance(const SceneClearanceQuestion& question) {
+    const SceneFile& file = question.file;
+    const Limit limit(seconds_of(question.seconds));
+    const SceneDistance found = file.scene.least_distance(question.options);
+    const bool time_was_over = !found.nearest.certain && limit.is_over();
+    const ExitStatus status = status_of(found.nearest.distance, time_was_over);
+    print(question.json ? json_of(file, found, status) : report_of(file, found, time_was_over));
+    print_warnings(file.warnings);
+    return status;
+}
+
+} // namespace chasles::cli
