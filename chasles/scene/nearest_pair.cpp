@@ -155,7 +155,8 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     if (first == other || scene_.is_ignored(first, other) || (never_move && !query_.rests))
         return;
     throw_if_cancelled();
-    const auto [moving, fixed] = in_their_roles(scene_, {std::uint32_t(first), std::uint32_t(other)});
+    const IndexPair pair{std::uint32_t(first), std::uint32_t(other)};
+    const auto [moving, fixed] = is_within_ ? in_their_roles(scene_, pair) : pair;
     const auto mover = [&](std::size_t i) {
         const SceneBody& body = scene_.bodies()[i];
         return Mover{body.name, body.shape, scene_.motion_of(i)};

@@ -11,10 +11,10 @@
 
 namespace chasles::scene {
 
-/// One body of each list makes a pair. Indices are those of Scene::bodies().
+/// One body of each list makes a pair, and the first one moves. Indices are those of Scene::bodies().
 struct NearestPairQuery {
     std::vector<std::size_t> first;
-    /// Without it, all pairs of bodies of the first list are tested.
+    /// Without it, all pairs of bodies of the first list are tested, in the roles of a scene.
     std::optional<std::vector<std::size_t>> second = {};
     LeastDistanceOptions options = {};
     bool rests = true; ///< two bodies that never move are a pair, too
