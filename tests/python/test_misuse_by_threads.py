@@ -49,6 +49,7 @@ SCENE_QUESTIONS = {
     "all_contacts": lambda s: s.all_contacts()[0].time,
     "clear_until": lambda s: s.clear_until(),
     "first_contact": lambda s: s.first_contact().time,
+    "least_distance": lambda s: s.least_distance().distance_upper,
 }
 SCENE_READS = {"names", "untested", "view"}
 
