@@ -48,7 +48,7 @@ private:
         Touch touch = Touch::apart;
     };
 
-    void run(const PieceContext& piece);
+    bool run(const PieceContext& piece);
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
     NearKnot nearest_at(double tau, const Features& guesses);
@@ -89,9 +89,10 @@ DistanceProfile ProfileSearch::run() {
     work_ += touch.work;
     clear_until_ = touch.clear_until;
     const auto pieces = trajectory_.pieces();
-    for (std::size_t i = 0; i < pieces->size() && !is_cancelled(); ++i)
-        run(PieceContext(moving_, fixed_, pieces->at(i)));
-    if (is_cancelled()) {
+    bool is_whole = true;
+    for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
+        is_whole = !is_cancelled() && run(PieceContext(moving_, fixed_, pieces->at(i)));
+    if (!is_whole) {
         steps_.add_rest(0, farthest());
         certain_ = false;
     }
@@ -109,8 +110,8 @@ double ProfileSearch::farthest() const {
     return std::max(0.0, ((centre - fixed).norm() + path.radius + rounding_of_balls * path.size) - radii_);
 }
 
-/// From part to part in order of time. A part whose bounds are too far from each other is halved.
-void ProfileSearch::run(const PieceContext& piece) {
+/// From part to part in order of time. A part whose bounds are too far from each other is halved. False at a limit.
+bool ProfileSearch::run(const PieceContext& piece) {
     piece_ = &piece;
     steps_.begin(piece.piece());
     chords_.emplace(piece);
@@ -135,6 +136,7 @@ void ProfileSearch::run(const PieceContext& piece) {
         }
     }
     work_ += chords_->work();
+    return ends.empty();
 }
 
 /// The features may be other ones than the nearest, by an eighth of the width of bounds; where a margin is near, by an
