@@ -12,10 +12,6 @@
 
 namespace chasles::python {
 
-/// Why `if found:` is an error.
-inline constexpr const char* no_truth_value =
-    "an answer has no truth value: compare its verdict, as in `found.verdict == chasles.Verdict.clear`";
-
 struct Answer {
     FirstContact found;
     nanobind::object moving; ///< the bodies of the query, kept alive by the answer

@@ -67,7 +67,6 @@ void bind_first_contact(nb::module_& module) {
         .def_prop_ro(
             "clear_until", [](const Answer& a) { return a.found.clear_until; }, doc("FirstContact.clear_until"))
         .def_ro("margin", &Answer::margin, "The margin of the query.")
-        .def("__bool__", [](const Answer&) -> bool { throw nb::type_error(no_truth_value); })
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
 }
 

@@ -165,7 +165,6 @@ void bind_contact(nb::module_& module) {
             "pairs", [](const Answer& a) { return a.found.pairs; }, doc("RobotAnswer.pairs"))
         .def_prop_ro(
             "work", [](const Answer& a) { return a.found.work; }, doc("Work"))
-        .def("__bool__", [](const Answer&) -> bool { throw nb::type_error(no_truth_value); })
         .def("__repr__", text_of);
 }
 
