@@ -29,6 +29,12 @@ bool holds_numbers(std::string argument) {
     return true;
 }
 
+// Null for an argument that is no option of the command.
+const CLI::Option* option_of(const CLI::App& command, std::string_view argument) {
+    const std::string name(argument.substr(0, argument.find('=')));
+    return name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
+}
+
 // The value that follows an option, as "--option=value" or as the next argument. Empty if there is none.
 std::optional<std::string_view> value_at(const std::vector<std::string>& arguments, std::size_t i) {
     const std::string_view argument = arguments[i];
@@ -38,11 +44,9 @@ std::optional<std::string_view> value_at(const std::vector<std::string>& argumen
 }
 
 // CLI11 would take the next argument for the value that is missing, and an empty name for an option that is not given.
-void require_value(const CLI::App& command, const std::vector<std::string>& arguments, std::size_t i) {
-    const std::string name = arguments[i].substr(0, arguments[i].find('='));
-    const CLI::Option* const option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
-    if (option && option->get_items_expected_max() > 0 && value_at(arguments, i) == "")
-        throw InvalidInput(name + ": is empty, but takes " + option->get_type_name());
+void require_value(const CLI::Option& option, const std::vector<std::string>& arguments, std::size_t i) {
+    if (option.get_items_expected_max() > 0 && value_at(arguments, i) == "")
+        throw InvalidInput(option.get_name() + ": is empty, but takes " + option.get_type_name());
 }
 
 bool has_empty_entry(std::string_view list) {
@@ -51,15 +55,14 @@ bool has_empty_entry(std::string_view list) {
 }
 
 // CLI11 would leave the entry out. A list may have several arguments.
-void require_entries(const CLI::App& command, const std::vector<std::string>& arguments, std::size_t i) {
-    const std::string name = arguments[i].substr(0, arguments[i].find('='));
-    const CLI::Option* const option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
-    if (!option || option->get_delimiter() == '\0')
+void require_entries(const CLI::Option& option, const std::vector<std::string>& arguments, std::size_t i) {
+    if (option.get_delimiter() == '\0')
         return;
     const auto check = [&](std::string list) {
         std::erase_if(list, [](char c) { return c == ' ' || c == '\t'; });
         if (has_empty_entry(list))
-            throw InvalidInput(name + ": " + io::in_quotes(list) + ": an entry before or after a comma is empty");
+            throw InvalidInput(option.get_name() + ": " + io::in_quotes(list) +
+                               ": an entry before or after a comma is empty");
     };
     check(std::string(value_at(arguments, i).value_or("")));
     for (std::size_t next = i + 1; next < arguments.size() && !arguments[next].starts_with("--"); ++next)
@@ -73,10 +76,11 @@ void require_values(const CLI::App& app, const std::vector<std::string>& argumen
         return !arguments.empty() && command->get_name() == arguments.front();
     };
     for (const CLI::App* command : app.get_subcommands(is_asked))
-        for (std::size_t i = 1; i < arguments.size(); ++i) {
-            require_value(*command, arguments, i);
-            require_entries(*command, arguments, i);
-        }
+        for (std::size_t i = 1; i < arguments.size(); ++i)
+            if (const CLI::Option* const option = option_of(*command, arguments[i])) {
+                require_value(*option, arguments, i);
+                require_entries(*option, arguments, i);
+            }
 }
 
 std::vector<std::string> join_numbers(const std::vector<std::string>& arguments) {

@@ -25,4 +25,16 @@ private:
     std::vector<std::uint32_t> above_;
 };
 
+/// The parts of a surface: `face_of` gives the corners of a face, and `joined` the vertices of seams that count as one.
+template <typename FaceOf, typename Edges>
+ConnectedParts parts_of_surface(std::size_t vertices, std::size_t faces, const FaceOf& face_of, const Edges& joined) {
+    ConnectedParts parts(vertices);
+    for (std::size_t face = 0; face < faces; ++face)
+        for (const std::uint32_t vertex : face_of(face))
+            parts.join(face_of(face)[0], vertex);
+    for (const auto& [from, to] : joined)
+        parts.join(from, to);
+    return parts;
+}
+
 } // namespace chasles

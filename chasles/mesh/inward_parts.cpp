@@ -13,12 +13,10 @@ namespace {
 class PartVolumes {
 public:
     PartVolumes(const Surface& surface, const Volume& volume)
-        : surface_(surface), parts_(surface.vertices.size()), sums_(surface.vertices.size()) {
-        for (std::size_t face = 0; face < surface.outlines.size(); ++face)
-            for (const std::uint32_t vertex : surface.outlines[face])
-                parts_.join(surface.outlines[face][0], vertex);
-        for (const auto& [from, to] : volume.joined)
-            parts_.join(from, to);
+        : surface_(surface), parts_(parts_of_surface(
+                                 surface.vertices.size(), surface.outlines.size(),
+                                 [&](std::size_t face) { return surface.outlines[face]; }, volume.joined)),
+          sums_(surface.vertices.size()) {
         for (std::size_t face = 0; face < surface.outlines.size(); ++face)
             if (volume.is_bounded_by(face))
                 add(surface.outlines[face]);

@@ -69,9 +69,9 @@ bool stays_behind(const InwardsMove& move, std::uint32_t face, std::uint32_t bes
     });
 }
 
-/// Checks a face against the faces beside it. Where it turns over, its corners have to move inwards of all of them, and
-/// those that turn over with it have to lie in its plane. So have the corners of a tiny face that overhangs: it may be
-/// a fault of rounding.
+/// Checks a face against the faces beside it. If it turns over, its corners must move inwards of each of them, and a
+/// face beside it that turns over, too, must lie in its plane. The corners of a tiny face that overhangs must move so
+/// as well: it may be a fault of rounding.
 void check_beside(const InwardsMove& move, std::uint32_t face, const std::vector<char>& turned) {
     const bool tiny = width_of(move.body, face) < too_narrow * move.flat;
     for (const std::uint32_t other : faces_beside(move.body, face)) {

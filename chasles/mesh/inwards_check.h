@@ -18,7 +18,7 @@ struct InwardsMove {
     double flat; ///< what lies within this length counts as one plane
 };
 
-/// Throws InvalidInput, with a face, if one of these does not hold:
+/// Throws InvalidInput, with a face, unless all of this holds:
 /// - the corners of each face move against its direction, by at most the distance;
 /// - no vertex leaves the body through another face;
 /// - no face lies on a face beside it and looks the other way;

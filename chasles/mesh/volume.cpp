@@ -54,13 +54,10 @@ std::vector<PartBlock> blocks_of(std::span<const std::uint32_t> points, std::spa
 class PartTable {
 public:
     PartTable(const Surface& surface, const Seams& seams)
-        : surface_(surface), parts_(surface.vertices.size()), farthest_(surface.vertices.size(), none),
-          is_solid_(surface.vertices.size(), 0) {
-        for (std::size_t face = 0; face < surface.outlines.size(); ++face)
-            for (const std::uint32_t vertex : surface.outlines[face])
-                parts_.join(surface.outlines[face][0], vertex);
-        for (const auto& [from, to] : seams.joined())
-            parts_.join(from, to);
+        : surface_(surface), parts_(parts_of_surface(
+                                 surface.vertices.size(), surface.outlines.size(),
+                                 [&](std::size_t face) { return surface.outlines[face]; }, seams.joined())),
+          farthest_(surface.vertices.size(), none), is_solid_(surface.vertices.size(), 0) {
         for (std::size_t face = 0; face < surface.outlines.size(); ++face)
             add(surface.outlines[face]);
         for (const auto& [edge, surplus] : seams.unpaired())

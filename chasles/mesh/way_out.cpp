@@ -25,13 +25,11 @@ bool leads_through(const std::array<Vector3d, 3>& triangle, const Vector3d& from
 
 } // namespace
 
-WayOut::WayOut(const Body& body, double flat) : body_(body), flat_(flat), parts_(body.vertices().size()) {
-    for (std::uint32_t face = 0; face < body.face_count(); ++face)
-        for (const std::uint32_t corner : body.face(face))
-            parts_.join(corner, body.face(face)[0]);
-    for (const auto& [from, to] : body.volume().joined)
-        parts_.join(from, to);
-}
+WayOut::WayOut(const Body& body, double flat)
+    : body_(body), flat_(flat),
+      parts_(parts_of_surface(
+          body.vertices().size(), body.face_count(), [&](std::size_t face) { return body.face(std::uint32_t(face)); },
+          body.volume().joined)) {}
 
 bool WayOut::leads_through(std::uint32_t face, const Vector3d& from, const Vector3d& to) const {
     const std::span<const std::uint32_t> outline = body_.face(face), triangles = body_.face_triangles(face);

@@ -22,26 +22,12 @@ void require_name(const Items& items, const std::string& name, const std::string
         refuse(user, std::string("there is no ") + what + ' ' + name);
 }
 
-/// How many numbers a joint has in a state.
-std::size_t values_of(JointType type) {
-    switch (type) {
-    case JointType::fixed:
-        return 0;
-    case JointType::planar:
-        return 3;
-    case JointType::floating:
-        return 7;
-    default:
-        return 1;
-    }
-}
-
 void check_state(const RobotDescription& robot, const StateDescription& state) {
     for (const StateDescription::Value& value : state.values) {
         require_name(robot.joints, value.joint, state.name, "joint");
         const JointDescription& joint = *std::ranges::find(robot.joints, value.joint, &JointDescription::name);
-        if (value.values.size() != values_of(joint.type))
-            refuse(state.name, value.joint + ": needs " + std::to_string(values_of(joint.type)) + " values, and has " +
+        if (const std::size_t count = suffixes_of(joint.type).size(); value.values.size() != count)
+            refuse(state.name, value.joint + ": needs " + std::to_string(count) + " values, and has " +
                                    std::to_string(value.values.size()));
         if (!std::ranges::all_of(value.values, [](double v) { return std::isfinite(v); }))
             refuse(state.name, value.joint + ": must be finite");

@@ -1,4 +1,4 @@
-// Checks of what a description says about its parts one by one; `Model` checks that they are a tree.
+// Checks each part of a description by itself. `Model` checks that the parts are a tree.
 #pragma once
 
 #include "chasles/robot/robot_description.h"

@@ -91,6 +91,19 @@ std::string why_not_followed(JointType type) {
     }
 }
 
+std::vector<const char*> suffixes_of(JointType type) {
+    switch (type) {
+    case JointType::fixed:
+        return {};
+    case JointType::planar:
+        return {"/x", "/y", "/theta"};
+    case JointType::floating:
+        return {"/trans_x", "/trans_y", "/trans_z", "/rot_x", "/rot_y", "/rot_z", "/rot_w"};
+    default:
+        return {""};
+    }
+}
+
 void refuse(std::string_view what, std::string_view why) {
     throw InvalidInput("robot: " + std::string(what) + (what.empty() ? "" : ": ") + std::string(why));
 }
@@ -113,20 +126,6 @@ bool RigidGroup::repeats_after_a_turn(std::size_t variable) const {
 }
 
 namespace {
-
-/// The suffixes of the names of a joint's variables.
-std::vector<const char*> suffixes_of(JointType type) {
-    switch (type) {
-    case JointType::fixed:
-        return {};
-    case JointType::planar:
-        return {"/x", "/y", "/theta"};
-    case JointType::floating:
-        return {"/trans_x", "/trans_y", "/trans_z", "/rot_x", "/rot_y", "/rot_z", "/rot_w"};
-    default:
-        return {""};
-    }
-}
 
 RobotVariable variable_of_joint(const JointDescription& joint, const std::string& suffix) {
     const bool is_continuous = suffix == "/theta" || joint.type == JointType::continuous;

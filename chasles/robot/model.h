@@ -128,6 +128,9 @@ private:
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
 };
 
+/// The suffixes of the names of the variables of a joint that follows none: as many as it has numbers in a state.
+std::vector<const char*> suffixes_of(JointType type);
+
 /// Why no joint follows one of this type, for a message that begins with its name; empty if a joint may.
 std::string why_not_followed(JointType type);
 

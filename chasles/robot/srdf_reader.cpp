@@ -1,6 +1,7 @@
 // Reads pairs, groups and states of an SRDF file.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
+#include "chasles/robot/model.h"
 #include "chasles/robot/unread_parts.h"
 #include "chasles/robot/urdf_reader.h"
 #include "chasles/robot/xml_file.h"
@@ -225,8 +226,7 @@ void SrdfReader::add_groups() {
 }
 
 StateDescription::Value SrdfReader::value_of(const XmlElement& element, const JointDescription& joint) const {
-    const std::size_t count = joint.type == JointType::floating ? 7 : joint.type == JointType::planar ? 3 : 1;
-    return {joint.name, file_.numbers(element, "value", count)};
+    return {joint.name, file_.numbers(element, "value", suffixes_of(joint.type).size())};
 }
 
 void SrdfReader::add_states() {

@@ -190,12 +190,15 @@ SceneDistance NearestPairSearch::run() {
     best_.nearest.certain = true;
     if (!first_.is_empty() && !second().is_empty())
         push(first_.root(), second().root());
+    Bracket& distance = best_.nearest.distance;
     try {
         search();
     } catch (const Cancelled&) { // pairs that are left are in the queue
-        best_.nearest.distance.lower = std::min(best_.nearest.distance.lower, queue_.top().bound);
+        distance.lower = std::min(distance.lower, queue_.top().bound);
         best_.nearest.certain = false;
     }
+    if (distance.upper > 0 && best_.pair) // the bracket is that of all pairs
+        best_.nearest.certain = distance.upper - distance.lower <= query_.options.tolerance * distance.upper;
     best_.nearest.work = work_;
     return std::move(best_);
 }

@@ -125,8 +125,8 @@ LinearBound ChordBounds::upper(const NearKnot& start, const NearKnot& end) {
     return later.end - end.distance < earlier.start - start.distance ? later : earlier;
 }
 
-/// Of two points that are nearest at one knot: how far one of them is, at the other knot, from a convex part of the
-/// other surface.
+/// Two points are nearest at one knot. How far is one of them from a convex part of the other surface, at the other
+/// knot?
 double ChordBounds::way_of_points(const NearKnot& from, const NearKnot& to) {
     const auto& [on_moving, on_fixed] = from.points;
     const Body &moving = context_.moving(), &fixed = context_.fixed();

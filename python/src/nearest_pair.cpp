@@ -57,7 +57,13 @@ nb::object scene_distance(const PythonScene& given, double tolerance, nb::handle
     const Asking question = given.asking();
     const LeastDistanceOptions options{.tolerance = tolerance, .find = find_from(find)};
     SceneDistance found;
-    run_interruptibly([&](Progress&) { found = given.scene.least_distance(options); }, nb::none());
+    run_interruptibly(
+        [&](Progress&) {
+            found = given.scene.least_distance(options);
+            if (!found.pair)
+                throw_if_cancelled(); // then there may be pairs
+        },
+        nb::none());
     return answer_of(given, std::move(found));
 }
 

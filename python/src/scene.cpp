@@ -377,7 +377,9 @@ void bind_scene(nb::module_& module) {
              "still are no pair. None if no\ntwo bodies are tested.\n\nParameters\n----------\ntolerance : float\n"
              "    Width of the bracket to aim for, as a part of the distance; in [1e-12, 1].\nfind : Find or str\n"
              "    'first': one pair of nearest features; 'first_with_all_contacts': every pair.\n\nReturns\n-------\n"
-             "LeastDistance or None")
+             "LeastDistance or None\n    With the bracket so far at a Limit.\n\nRaises\n------\nInvalidInput\n    For "
+             "an option out "
+             "of its range.\nCancelled\n    At a Limit before the first pair.")
         .def("clear_until", clear_until, nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(), "until"_a = 1.0,
              "time_tolerance"_a = default_time_tolerance, "threads"_a = 0,
              nb::sig("def clear_until(self, " CHASLES_SCENE_OPTIONS "threads: int = 0) -> dict[str, float]"),
