@@ -91,7 +91,7 @@ DistanceProfile ProfileSearch::run() {
     const auto pieces = trajectory_.pieces();
     bool is_whole = true;
     for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
-        is_whole = !is_cancelled() && run(PieceContext(moving_, fixed_, pieces->at(i)));
+        is_whole = run(PieceContext(moving_, fixed_, pieces->at(i)));
     if (!is_whole) {
         steps_.add_rest(0, farthest());
         certain_ = false;

@@ -90,18 +90,37 @@ TEST(Profile, IsNeverCrossedByTheDistancesOfAllTriangles) {
         const Pose start = random_pose(), goal = random_pose();
         for (const Motion& motion : {Motion(ScrewMotion::between(start, goal)), Motion::velocity(start, goal),
                                      Motion(SweepMotion::between(start, goal)), Motion::twist(start, goal)}) {
-            const ProfileOptions options{.tolerance = 0.02, .absolute_tolerance = random.chance(0.5) ? 1e-5 : 3e-3};
+            const ProfileOptions options{.tolerance = random.chance(0.5) ? 0.02 : 0.3,
+                                         .absolute_tolerance = random.chance(0.5) ? 1e-5 : 3e-2};
             const DistanceProfile found = ask(moving, fixed, motion, options);
             if (found.free().size() != 1 || found.free()[0].lower > 0 || found.free()[0].upper < 1)
                 continue; // surfaces that cross have distances that are not 0
             ++seen;
-            expect_narrow(found, 0.02, options.absolute_tolerance);
+            expect_narrow(found, options.tolerance, options.absolute_tolerance);
             const double radii = moving.report().radius + fixed.report().radius;
             const auto distance = [&](double time) { return distance_at(moving, fixed, motion.pose_at(time)) - radii; };
             expect_holds(found, distance, 100);
         }
     }
     EXPECT_GT(seen, 60);
+}
+
+/// Where bodies come near from far away, the tolerance changes from a part of the distance to a length.
+TEST(Profile, StepsAreAsNarrowAsAskedUntilTheBodiesTouch) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    const Pose goal({-1, 0.25, 0.3}, Eigen::Quaterniond(1, 0.1, 0, 0.2));
+    for (const double radius : {0.0, 0.4})
+        for (const double tolerance : {0.01, 0.05, 0.2}) {
+            const ProfileOptions options{.tolerance = tolerance, .absolute_tolerance = 1e-6};
+            const DistanceProfile found =
+                ask(cube.with_radius(radius), cube, ScrewMotion::between(shifted(3, 0.2, 0.3), goal), options);
+            EXPECT_TRUE(found.certain);
+            std::size_t apart = 0;
+            for (std::size_t i = 0; i + 1 < found.times.size() && found.lower[i] > 0; ++i, ++apart)
+                EXPECT_LE(found.upper[i] - found.lower[i], std::max(tolerance * found.upper[i], 1e-6) + rounding)
+                    << found.times[i];
+            EXPECT_GT(apart, 20U);
+        }
 }
 
 /// A cube passes through another one: free, then not, and free again.
