@@ -52,7 +52,7 @@ public:
         shape_.setMargin(collision_margin);
         shape_.updateBound();
         shape_.postUpdate();
-        const double radius = scene.bodies().front().shape.body().vertex_radius();
+        const double radius = scene.bodies().front().shape.body().ball_radius();
         for (std::size_t i = 0; i < scene.bodies().size(); ++i)
             add_body(int(i), radius);
         reset();

@@ -1,9 +1,8 @@
 #include "chasles/scene/nearest_pair.h"
 
-#include "chasles/base/limit_of_thread.h"
-
 #include "chasles/base/invalid_input.h"
-#include "chasles/query/pair_query.h"
+#include "chasles/base/limit.h"
+#include "chasles/query/nearest_of.h"
 #include "chasles/query/requirements.h"
 #include "chasles/scene/curve_order.h"
 #include "chasles/scene/pair_question.h"
@@ -93,18 +92,12 @@ class NearestPairSearch {
 public:
     NearestPairSearch(const Scene& scene, const NearestPairQuery& query)
         : scene_(scene), query_(query), is_within_(!query.second), first_(scene, query.first),
-          second_(scene, query.second.value_or(std::vector<std::size_t>())) {}
+          second_(scene, query.second.value_or(std::vector<std::size_t>())), nearest_(query.options) {}
 
     SceneDistance run();
 
 private:
     [[nodiscard]] const SweptTree& second() const { return is_within_ ? first_ : second_; }
-    /// Whether pairs with this bound can be nearer than the nearest one so far.
-    [[nodiscard]] bool can_be_nearer(double bound) const { return bound < best_.nearest.distance.upper; }
-    /// What stays farther apart than this is not nearer; the bracket of the distance may have this width.
-    [[nodiscard]] double searched_distance() const {
-        return best_.nearest.distance.upper * (1 - 0.5 * query_.options.tolerance);
-    }
     void search();
     void push(const Node& first, const Node& second);
     void split(const NodePair& nodes);
@@ -115,8 +108,8 @@ private:
     bool is_within_; ///< all pairs of one list
     SweptTree first_, second_;
     std::priority_queue<NodePair> queue_;
-    SceneDistance best_;
-    Work work_;
+    query::NearestOf nearest_;
+    SceneDistance found_;
 };
 
 /// The boxes hold their bodies, so their distance is a lower bound. Its own rounding is below 4 units in the last
@@ -124,7 +117,7 @@ private:
 void NearestPairSearch::push(const Node& first, const Node& second) {
     constexpr double rounding = 1e-14;
     const double bound = first_.box(first).exteriorDistance(this->second().box(second)) * (1 - rounding);
-    if (!best_.pair || can_be_nearer(bound))
+    if (bound < nearest_.upper())
         queue_.push({bound, first, second});
 }
 
@@ -148,66 +141,39 @@ void NearestPairSearch::split(const NodePair& nodes) {
         });
 }
 
-/// A pair is searched only if it comes nearer than the nearest one so far.
 void NearestPairSearch::compare(const NodePair& leaves) {
     const std::size_t first = first_.body(leaves.first), other = second().body(leaves.second);
     const bool never_move = scene_.rests(first) && scene_.rests(other);
     if (first == other || scene_.is_ignored(first, other) || (never_move && !query_.rests))
         return;
-    throw_if_cancelled();
     const IndexPair pair{std::uint32_t(first), std::uint32_t(other)};
     const auto [moving, fixed] = is_within_ ? in_their_roles(scene_, pair) : pair;
-    const auto mover = [&](std::size_t i) {
-        const SceneBody& body = scene_.bodies()[i];
-        return Mover{body.name, body.shape, scene_.motion_of(i)};
-    };
-    const Mover a = mover(moving), b = mover(fixed);
-    ++best_.pairs;
-    if (best_.pair && searched_distance() <= Pose::largest_length) { // a margin is no larger
-        QueryOptions options;
-        options.find = Find::any;
-        options.margin = searched_distance();
-        const FirstContact found = first_contact_of(a, b, options, 1);
-        work_ += found.work;
-        if (found.verdict == Verdict::clear) {
-            best_.nearest.distance.lower = std::min(best_.nearest.distance.lower, options.margin);
-            return;
-        }
-    }
-    LeastDistance found = least_distance_of(a, b, query_.options);
-    work_ += found.work;
-    const double lower = std::min(best_.nearest.distance.lower, found.distance.lower);
-    if (!best_.pair || found.distance.upper < best_.nearest.distance.upper) {
-        best_.pair = {moving, fixed};
-        best_.nearest = std::move(found);
-    }
-    best_.nearest.distance.lower = lower;
+    ++found_.pairs;
+    const Mover a = mover(scene_, moving), b = mover(scene_, fixed);
+    auto distance = along(a, b, [&](const motion::AnyTrajectory& trajectory) {
+        return nearest_.ask(a.shape.body(), b.shape.body(), trajectory);
+    });
+    if (distance && nearest_.take(std::move(*distance)))
+        found_.pair = {moving, fixed};
 }
 
 SceneDistance NearestPairSearch::run() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    best_.nearest.distance = {infinity, infinity};
-    best_.nearest.certain = true;
     if (!first_.is_empty() && !second().is_empty())
         push(first_.root(), second().root());
-    Bracket& distance = best_.nearest.distance;
     try {
         search();
     } catch (const Cancelled&) { // pairs that are left are in the queue
-        distance.lower = std::min(distance.lower, queue_.top().bound);
-        best_.nearest.certain = false;
+        nearest_.leave(queue_.top().bound);
     }
-    if (distance.upper > 0 && best_.pair) // the bracket is that of all pairs
-        best_.nearest.certain = distance.upper - distance.lower <= query_.options.tolerance * distance.upper;
-    best_.nearest.work = work_;
-    return std::move(best_);
+    found_.nearest = nearest_.result();
+    return std::move(found_);
 }
 
 /// A pair leaves the queue when it is done.
 void NearestPairSearch::search() {
     while (!queue_.empty()) {
         const NodePair nodes = queue_.top();
-        if (best_.pair && !can_be_nearer(nodes.bound))
+        if (nodes.bound >= nearest_.upper())
             break;
         if (nodes.bound > Pose::largest_length)
             throw InvalidInput("distance: all objects are farther apart than 1e+30");

@@ -1,9 +1,6 @@
 #include "chasles/scene/pair_question.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/motion/any_trajectory.h"
-#include "chasles/motion/frames.h"
-#include "chasles/motion/smooth_trajectory.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/swept_body.h"
 
@@ -38,35 +35,14 @@ WorldMotion rest_of(const WorldMotion& motion, double from) {
     return {std::move(rest), std::move(frame), false};
 }
 
-namespace {
-
-/// Calls ask(trajectory) for the motion as seen from the fixed body. The frames are those that the bodies hold;
-/// `relative` would make them anew for each pair.
-template <class Ask>
-auto ask_along(const Mover& moving, const Mover& fixed, const Ask& ask) {
-    const auto& [a, frame_of_moving, moving_rests] = moving.motion;
-    const auto& [b, frame_of_fixed, fixed_rests] = fixed.motion;
-    try {
-        if (a.trajectory().straight_ends() && b.trajectory().straight_ends())
-            return ask(relative(a, b).trajectory());
-        return ask(motion::ErasedTrajectory(motion::SmoothTrajectory(
-            {motion::relative_frame(frame_of_moving, frame_of_fixed), frame_of_moving, frame_of_fixed})));
-    } catch (const InvalidInput& error) {
-        refuse(std::string(moving.name) + " and " + std::string(fixed.name), error.what());
-    }
+Mover mover(const Scene& scene, std::size_t index) {
+    const SceneBody& body = scene.bodies()[index];
+    return {body.name, body.shape, scene.motion_of(index)};
 }
-
-} // namespace
 
 FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until) {
-    return ask_along(moving, fixed, [&](const motion::AnyTrajectory& trajectory) {
+    return along(moving, fixed, [&](const motion::AnyTrajectory& trajectory) {
         return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, options, until});
-    });
-}
-
-LeastDistance least_distance_of(const Mover& moving, const Mover& fixed, const LeastDistanceOptions& options) {
-    return ask_along(moving, fixed, [&](const motion::AnyTrajectory& trajectory) {
-        return query::answer(query::LeastPairQuery{moving.shape.body(), fixed.shape.body(), trajectory, options});
     });
 }
 

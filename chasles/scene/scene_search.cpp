@@ -78,12 +78,8 @@ private:
 };
 
 FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const {
-    const auto mover = [&](std::size_t i) {
-        const SceneBody& body = scene_.bodies()[i];
-        return scene::Mover{body.name, body.shape, scene_.motion_of(i)};
-    };
     const QueryOptions options = scene_.options_of(pair.first, pair.second, query_.options);
-    return scene::first_contact_of(mover(pair.first), mover(pair.second), options, until);
+    return scene::first_contact_of(scene::mover(scene_, pair.first), scene::mover(scene_, pair.second), options, until);
 }
 
 std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double until) {
