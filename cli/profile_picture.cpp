@@ -15,14 +15,16 @@ constexpr double right_of_axes = 20;
 constexpr double above_axes = 20;
 constexpr double below_axes = 45;
 
-/// The part of a plane with times from 0 to 1 and distances from 0 on.
+/// The part of a plane with some times and the distances from 0 on.
 class Frame {
 public:
-    explicit Frame(double greatest) : greatest_(greatest > 0 ? greatest : 1) {}
+    Frame(const Bracket& times, double greatest) : times_(times), greatest_(greatest > 0 ? greatest : 1) {}
 
-    [[nodiscard]] static double x(double time) {
-        return left_of_axes + time * (picture_width - left_of_axes - right_of_axes);
+    [[nodiscard]] double x(double time) const {
+        return left_of_axes + (time - times_.lower) / duration() * (picture_width - left_of_axes - right_of_axes);
     }
+    [[nodiscard]] double duration() const { return times_.upper - times_.lower; }
+    [[nodiscard]] double time(double share) const { return times_.lower + share * duration(); }
     [[nodiscard]] double y(double distance) const {
         return picture_height - below_axes - distance / greatest_ * (picture_height - above_axes - below_axes);
     }
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] double greatest() const { return greatest_; }
 
 private:
+    Bracket times_;
     double greatest_;
 };
 
@@ -64,19 +67,20 @@ std::string axes_of(const Frame& frame) {
         lines += svg_text(left_of_axes - 8, frame.y(distance) + 4, "end", fmt::format("{:.6g}", distance));
     }
     for (int i = 0; i <= 4; ++i) {
-        lines += svg_line(Frame::x(0.25 * i), above_axes, Frame::x(0.25 * i), picture_height - below_axes, grid);
-        lines += svg_text(Frame::x(0.25 * i), picture_height - below_axes + 18, "middle", fmt::format("{}", 0.25 * i));
+        const double time = frame.time(0.25 * i);
+        lines += svg_line(frame.x(time), above_axes, frame.x(time), picture_height - below_axes, grid);
+        lines += svg_text(frame.x(time), picture_height - below_axes + 18, "middle", fmt::format("{:.6g}", time));
     }
     return lines +
            svg_text(0.5 * (left_of_axes + picture_width - right_of_axes), picture_height - 8, "middle",
-                    "time, as a part of the motion") +
+                    frame.duration() == 1 ? "time, as a part of the motion" : "time") +
            svg_text(left_of_axes, above_axes - 6, "start", "distance");
 }
 
 /// Along the upper bounds, and back along the lower ones. Steps within a pixel are one.
 std::string band_of(const DistanceProfile& profile, const Frame& frame) {
     std::string there, back;
-    constexpr double pixel = 1 / (2 * (picture_width - left_of_axes - right_of_axes));
+    const double pixel = frame.duration() / (2 * (picture_width - left_of_axes - right_of_axes));
     for (std::size_t i = 0; i + 1 < profile.times.size();) {
         const double from = profile.times[i];
         double lower = profile.lower[i], upper = profile.upper[i];
@@ -96,13 +100,14 @@ std::string band_of(const DistanceProfile& profile, const Frame& frame) {
 } // namespace
 
 std::string profile_picture(const DistanceProfile& profile, const std::vector<double>& margins) {
-    const Frame frame(1.05 * *std::ranges::max_element(profile.upper));
+    const double most = *std::ranges::max_element(profile.upper);
+    const Frame frame({profile.times.front(), profile.times.back()}, std::isinf(most) ? 0 : 1.05 * most);
     std::string picture =
         fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
                     R"(font-family="sans-serif" font-size="12">)"
                     "\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
                     picture_width, picture_height);
-    picture += axes_of(frame) + band_of(profile, frame);
+    picture += axes_of(frame) + (std::isinf(most) ? std::string() : band_of(profile, frame));
     for (const double margin : margins)
         if (margin <= frame.greatest())
             picture +=

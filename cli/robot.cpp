@@ -2,6 +2,7 @@
 #include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/page_curve.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/robot_pairs.h"
@@ -136,9 +137,9 @@ int run_clearance(const RobotCommand& options) {
     RobotQuestion question = read_question(options);
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
-    const LeastDistanceOptions asked{.tolerance = options.tolerance,
-                                     .time_tolerance = question.options.time_tolerance,
-                                     .find = question.options.find};
+    LeastDistanceOptions asked{.time_tolerance = question.options.time_tolerance, .find = question.options.find};
+    if (!options.tolerance.empty())
+        asked.tolerance = number_of("--tolerance", options.tolerance);
     RobotClearance found =
         of_files(options, [&] { return RobotChecker(question.robot, question.world()).least_distance(path, asked); });
     warn_if_untested(*found.untested, question.warnings);
@@ -147,6 +148,31 @@ int run_clearance(const RobotCommand& options) {
     const bool time_was_over = !found.certain && limit.is_over();
     const ExitStatus status = status_of(found.distance, time_was_over);
     print(options.json ? clearance_json(question, found, status) : robot_report(question, found, time_was_over));
+    print_warnings(question.warnings);
+    return status;
+}
+
+int run_profile(const RobotCommand& options) {
+    ProfileRequest request(options.profile, options.tolerance);
+    RobotQuestion question = read_question(options);
+    const JointPath path = path_of(question);
+    request.open_files();
+    const Limit limit(seconds_of(options.query.seconds));
+    RobotProfile answer = of_files(
+        options, [&] { return RobotChecker(question.robot, question.world()).profile(path, request.options()); });
+    warn_if_untested(*answer.untested, question.warnings);
+    NamedProfile found{std::move(answer.distance), {}};
+    for (const RobotPair& pair : answer.pairs)
+        found.pairs.emplace_back(pair.first, pair.second);
+    request.write(found);
+    const ExitStatus status = status_of(found.distance, !found.distance.certain && limit.is_over());
+    if (options.json) {
+        view::Json json = request.json(found, status);
+        json["untested"] = view::untested_json(*answer.untested);
+        print(with_motion(std::move(json), question));
+    } else {
+        print(profile_headline(found.distance, motion_name) + report(*answer.untested) + request.text(found));
+    }
     print_warnings(question.warnings);
     return status;
 }
@@ -164,12 +190,13 @@ RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& questi
 
 /// After the verdict: the page of a long path takes longer than the answer.
 void write_page(OutputFile& page, const RobotCommand& options, const RobotQuestion& question, const JointPath& path,
-                const RobotAnswer& found) {
+                const RobotAnswer& found, std::optional<view::Curve> curve) {
     std::optional<ProgressBar> bar(std::in_place, "segments of the page", found.segment + 1);
     view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found,
                                                   [&](std::size_t segments) { bar->show(segments); });
     bar.reset();
     record.margin = question.options.margin;
+    record.curve = std::move(curve);
     record.title = std::filesystem::path(options.robot.urdf).filename().string();
     page.write(view::scene_page(record));
     page.close();
@@ -195,7 +222,9 @@ int run_robot(const RobotCommand& options) {
     print(options.json ? answer_json(question, found, others) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)
-        write_page(*page, options, question, path, found);
+        write_page(*page, options, question, path, found,
+                   options.wants_curve ? std::optional(curve_of(checker, path, question.options.margin))
+                                       : std::nullopt);
     return status_of(found.verdict);
 }
 
@@ -215,22 +244,27 @@ void add_robot(CLI::App& app, Task& task) {
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the robot comes to its world and to itself");
+    auto* const profile = command.add_flag("--profile", options->finds_profile,
+                                           "find the distance of the nearest pair over the path, and which it is");
+    profile->excludes(clearance);
     command
-        .add_option("--tolerance", options->tolerance, "aimed width of the bracket of the clearance, as a part of it")
-        ->needs(clearance)
-        ->type_name("T")
-        ->capture_default_str();
+        .add_option("--tolerance", options->tolerance,
+                    "aimed width of the bracket of the clearance, as a part of it (1e-6), or of the profile (0.01)")
+        ->type_name("T");
+    add_profile_options(command, options->profile, profile);
     options->query.margin.clear(); // that of the scene's file
     command
         .add_option("--margin", options->query.margin,
                     "distance of the surfaces that counts as contact; instead of the scene's")
         ->excludes(clearance)
+        ->excludes(profile)
         ->type_name("D");
     command
         .add_option("--hold", options->query.hold,
                     "what is within the margin where a segment begins may move on, but never comes within this "
                     "distance; instead of the scene's")
         ->excludes(clearance)
+        ->excludes(profile)
         ->type_name("H");
     add_seconds_option(command, options->query.seconds);
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")
@@ -238,15 +272,23 @@ void add_robot(CLI::App& app, Task& task) {
         ->capture_default_str();
     auto* const any =
         command.add_flag("--any", options->query.any, "stop at any contact, which need not be the first one");
-    any->excludes(clearance);
+    any->excludes(clearance)->excludes(profile);
     command.add_flag("--all-contacts", options->query.all_contacts, "list every contact of the pair at its first one")
         ->excludes(any);
     command.add_flag("--json", options->json, "print one JSON object");
-    command.add_option("--page", options->page, "write a page (HTML) that shows the robot on its way")
-        ->excludes(clearance)
-        ->type_name("FILE");
+    auto* const page =
+        command.add_option("--page", options->page, "write a page (HTML) that shows the robot on its way")
+            ->excludes(clearance)
+            ->excludes(profile)
+            ->type_name("FILE");
+    add_curve_option(command, options->wants_curve, page);
     command.callback([options, &task] {
-        task = [options] { return options->finds_clearance ? run_clearance(*options) : run_robot(*options); };
+        task = [options] {
+            require_question_of(options->tolerance, options->finds_clearance || options->finds_profile);
+            return options->finds_clearance ? run_clearance(*options)
+                   : options->finds_profile ? run_profile(*options)
+                                            : run_robot(*options);
+        };
     });
 }
 

@@ -49,12 +49,15 @@ QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile
     return query;
 }
 
-/// What a scene's file says that has no effect on a clearance.
+/// What a scene's file says that has no effect on distances.
 void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::vector<std::string>& warnings) {
-    const std::string has_no_effect = " has no effect on a clearance";
-    if (options.finds_clearance && scene.margin > 0)
+    if (!options.finds_clearance && !options.finds_profile)
+        return;
+    const std::string has_no_effect =
+        options.finds_profile ? " has no effect on a profile" : " has no effect on a clearance";
+    if (scene.margin > 0)
         warnings.push_back(io::one_line(options.scene) + ": margin" + has_no_effect);
-    if (options.finds_clearance && scene.hold)
+    if (scene.hold)
         warnings.push_back(io::one_line(options.scene) + ": hold" + has_no_effect);
 }
 

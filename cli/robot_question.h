@@ -3,6 +3,7 @@
 
 #include "chasles/robot/joint_path_file.h"
 #include "cli/options.h"
+#include "cli/profile_report.h"
 #include "cli/robot_changes.h"
 #include "cli/robot_options.h"
 #include "cli/scene_file.h"
@@ -21,7 +22,10 @@ struct RobotCommand {
     std::string page;
     QuestionOptions query;
     bool finds_clearance = false;
-    double tolerance = LeastDistanceOptions().tolerance;
+    bool finds_profile = false;
+    bool wants_curve = false; ///< on the page
+    std::string tolerance;    ///< of the clearance or the profile; empty: that of the library
+    ProfileFlags profile;
     bool json = false;
 };
 

@@ -3,6 +3,8 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
+#include "cli/page_curve.h"
+#include "cli/profile_report.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_clearance.h"
@@ -30,11 +32,14 @@ struct SceneOptions {
     std::string hold;   ///< likewise
     std::string until = "1";
     std::string time_tolerance = "1e-12";
-    std::string seconds;            ///< empty: no limit
-    std::string tolerance = "1e-6"; ///< of the clearance
-    std::string page;               ///< empty: none
+    std::string seconds;   ///< empty: no limit
+    std::string tolerance; ///< of the clearance or the profile; empty: that of the library
+    ProfileFlags profile;
+    std::string page; ///< empty: none
     std::string title;
     bool finds_clearance = false;
+    bool finds_profile = false;
+    bool wants_curve = false; ///< on the page
     bool all = false;
     bool any = false;
     bool all_contacts = false;
@@ -51,7 +56,8 @@ QueryOptions query_options(const SceneOptions& options, const SceneFile& file) {
 }
 
 LeastDistanceOptions least_options(const SceneOptions& options) {
-    return {.tolerance = number_of("--tolerance", options.tolerance),
+    return {.tolerance = options.tolerance.empty() ? LeastDistanceOptions().tolerance
+                                                   : number_of("--tolerance", options.tolerance),
             .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
             .find = options.all_contacts ? Find::first_with_all_contacts : Find::first};
 }
@@ -129,6 +135,8 @@ public:
         view::SceneRecord record = view::scene_record(scene, answer, options_.all ? all_contacts : first_contact);
         record.margin = query.options.margin;
         record.until = query.until;
+        if (options_.wants_curve)
+            record.curve = curve_of(scene, query.options.margin);
         record.title =
             options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
         file_->write(view::scene_page(record));
@@ -167,12 +175,15 @@ SceneAnswer answer_of(const SceneOptions& options, const SceneFile& file, const 
 }
 
 int run_scene(const SceneOptions& options) {
+    require_question_of(options.tolerance, options.finds_clearance || options.finds_profile);
     std::optional<double> margin;
     if (!options.margin.empty())
         margin = number_of("--margin", options.margin);
     const SceneFile file = load_scene(options.file, options.polyhedron, margin);
     if (options.finds_clearance)
         return run_scene_clearance({file, least_options(options), options.seconds, options.json});
+    if (options.finds_profile)
+        return run_scene_profile({file, options.profile, options.tolerance, options.seconds, options.json});
     PageFile page(options);
     const Interruption interruption;
     const Limit limit(seconds_of(options.seconds), [] { return !Interruption::is_requested(); });
@@ -211,32 +222,38 @@ void add_scene(CLI::App& app, Task& task) {
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the bodies come to each other, and which two");
     clearance->excludes(all);
+    auto* const profile = command.add_flag("--profile", options->finds_profile,
+                                           "find the distance of the nearest two bodies over the time, and which two");
+    profile->excludes(all)->excludes(clearance);
     command
-        .add_option("--tolerance", options->tolerance, "aimed width of the bracket of the clearance, as a part of it")
-        ->needs(clearance)
-        ->type_name("T")
-        ->capture_default_str();
+        .add_option("--tolerance", options->tolerance,
+                    "aimed width of the bracket of the clearance, as a part of it (1e-6), or of the profile (0.01)")
+        ->type_name("T");
+    add_profile_options(command, options->profile, profile);
     command.add_option("--until", options->until, "leave out contacts after this time")
         ->excludes(clearance)
+        ->excludes(profile)
         ->type_name("T")
         ->capture_default_str();
     command
         .add_option("--margin", options->margin,
                     "distance of the surfaces that counts as contact; instead of the file's")
         ->excludes(clearance)
+        ->excludes(profile)
         ->type_name("D");
     command
         .add_option("--hold", options->hold,
                     "bodies that start within the margin may move on, but never come within this distance; instead of "
                     "the file's")
         ->excludes(clearance)
+        ->excludes(profile)
         ->type_name("H");
     command.add_option("--time-tolerance", options->time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
     auto* const any = command.add_flag("--any", options->any, "stop at any contact, which need not be the first one");
     any->excludes(all);
-    any->excludes(clearance);
+    any->excludes(clearance)->excludes(profile);
     command
         .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
         ->excludes(any);
@@ -247,10 +264,13 @@ void add_scene(CLI::App& app, Task& task) {
     auto* const page =
         command.add_option("--page", options->page, "write a page (HTML) that shows the scene and its contacts too")
             ->excludes(clearance)
+            ->excludes(profile)
+            ->excludes(profile)
             ->type_name("FILE");
     command.add_option("--title", options->title, "title of the page; default: the name of the scene file")
         ->type_name("TEXT")
         ->needs(page);
+    add_curve_option(command, options->wants_curve, page);
     command.callback([options, &task] { task = [options] { return run_scene(*options); }; });
 }
 

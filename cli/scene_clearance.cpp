@@ -39,10 +39,36 @@ std::string json_of(const SceneFile& file, const SceneDistance& found, ExitStatu
 int run_scene_clearance(const SceneClearanceQuestion& question) {
     const SceneFile& file = question.file;
     const Limit limit(seconds_of(question.seconds));
-    const SceneDistance found = file.scene.least_distance(question.options);
+    SceneDistance found = file.scene.least_distance(question.options);
+    found.untested = file.scene.untested(SceneQuery()); // with names
     const bool time_was_over = !found.nearest.certain && limit.is_over();
     const ExitStatus status = status_of(found.nearest.distance, time_was_over);
     print(question.json ? json_of(file, found, status) : report_of(file, found, time_was_over));
+    print_warnings(file.warnings);
+    return status;
+}
+
+int run_scene_profile(const SceneProfileQuestion& question) {
+    const SceneFile& file = question.file;
+    ProfileRequest request(question.flags, question.tolerance);
+    request.open_files();
+    const Limit limit(seconds_of(question.seconds));
+    SceneProfile answer = file.scene.profile(request.options());
+    answer.untested = file.scene.untested(SceneQuery()); // with names
+    NamedProfile found{std::move(answer.distance), {}};
+    for (const auto& [moving, fixed] : answer.pairs)
+        found.pairs.emplace_back(file.scene.bodies()[moving].name, file.scene.bodies()[fixed].name);
+    request.write(found);
+    const ExitStatus status = status_of(found.distance, !found.distance.certain && limit.is_over());
+    if (question.json) {
+        view::Json json = request.json(found, status);
+        json["untested"] = view::untested_json(answer.untested);
+        json["motion"] = {{"kind", file.motion}};
+        add_warnings(json, file.warnings);
+        print(json.dump() + "\n");
+    } else {
+        print(profile_headline(found.distance, file.motion) + report(answer.untested) + request.text(found));
+    }
     print_warnings(file.warnings);
     return status;
 }

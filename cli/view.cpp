@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/one_motion.h"
 #include "cli/output.h"
+#include "cli/page_curve.h"
 #include "cli/report.h"
 #include "view/names.h"
 #include "view/page.h"
@@ -16,6 +17,7 @@ struct ViewOptions {
     OneMotionOptions question;
     std::string out;
     std::string title;
+    bool wants_curve = false;
 };
 
 std::string file_name(const std::string& path) {
@@ -31,6 +33,12 @@ int run_view(const ViewOptions& options) {
         print(headline(found, question.options.margin, view::name_of(question.numbers.kind), question.options.hold));
         return is_unknown;
     }
+    std::optional<view::Curve> curve;
+    if (options.wants_curve) {
+        const Limit limit(question.seconds);
+        curve = curve_of(profile({question.bodies.moving, question.bodies.fixed, question.motion}),
+                         question.options.margin);
+    }
     const std::string moving_name = file_name(options.question.bodies.moving);
     const std::string fixed_name = file_name(options.question.bodies.fixed);
     file.write(view::page({.moving = question.bodies.moving,
@@ -41,7 +49,8 @@ int run_view(const ViewOptions& options) {
                            .margin = question.options.margin,
                            .title = options.title.empty() ? moving_name + " and " + fixed_name : options.title,
                            .moving_name = moving_name,
-                           .fixed_name = fixed_name}));
+                           .fixed_name = fixed_name,
+                           .curve = std::move(curve)}));
     file.close();
     print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
           way_out_line(found, question.options, {question.bodies.moving, question.bodies.fixed}) +
@@ -59,6 +68,7 @@ void add_view(CLI::App& app, Task& task) {
     command.add_option("--out", options->out, "page to write (HTML)")->required()->type_name("FILE");
     command.add_option("--title", options->title, "title of the page; default: the names of both files")
         ->type_name("TEXT");
+    add_curve_option(command, options->wants_curve);
     command.callback([options, &task] { task = [options] { return run_view(*options); }; });
 }
 

@@ -89,6 +89,8 @@ std::string record_json(const SceneRecord& record) {
         json["until"] = record.until;
     if (record.untested)
         json["untested"] = untested_json(*record.untested);
+    if (record.curve)
+        json["curve"] = curve_json(*record.curve);
     return page_text(json);
 }
 

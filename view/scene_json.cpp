@@ -30,6 +30,8 @@ std::string scene_json(const Scene& scene) {
     json["fixed"] = {{"name", scene.fixed_name}, {"mesh", is_alone ? 0 : 1}, {"poses", packed(poses.fixed)}};
     json["fixed_pose"] = pose_json(scene.motion.fixed_pose_at(scene.found.time.lower));
     json["answer"] = answer_json(scene.found, scene.numbers);
+    if (scene.curve)
+        json["curve"] = curve_json(*scene.curve);
     return page_text(json);
 }
 

@@ -1,8 +1,10 @@
 // All data of a page as JSON, shared by the command line and Python.
 #pragma once
 
+#include "view/curve.h"
 #include "view/motion_numbers.h"
 
+#include <optional>
 #include <string>
 
 namespace chasles::view {
@@ -18,6 +20,7 @@ struct Scene {
     std::string title = "Chasles"; ///< UTF-8; invalid bytes are replaced
     std::string moving_name = "moving";
     std::string fixed_name = "fixed";
+    std::optional<Curve> curve = {}; ///< of the whole motion
 };
 
 /// One JSON object in ASCII without "<", safe inside a script element of a page. docs/decisions/0070-viewer.md lists

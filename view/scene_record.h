@@ -1,6 +1,7 @@
 // The data of a page of many bodies: an answered scene, or a recording of bodies that moved from contact to contact.
 #pragma once
 
+#include "view/curve.h"
 #include "view/sampled_poses.h"
 
 #include <optional>
@@ -48,6 +49,7 @@ struct SceneRecord {
     std::vector<RecordedBody> bodies = {};
     std::vector<RecordedContact> contacts = {}; ///< in any order
     std::optional<UntestedPairs> untested = {}; ///< of the answer, if it is known
+    std::optional<Curve> curve = {};
 };
 
 /// The record of an answered scene, over the time [0, 1]. `source` is the question that was asked. Bodies are in the

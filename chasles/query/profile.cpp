@@ -38,7 +38,7 @@ constexpr double rounding_of_balls = 1e-12;
 
 class ProfileSearch {
 public:
-    explicit ProfileSearch(const ProfileQuery& question);
+    explicit ProfileSearch(const query::PairProfileQuery& question);
     DistanceProfile run();
 
 private:
@@ -48,7 +48,9 @@ private:
         Touch touch = Touch::apart;
     };
 
-    bool run(const PieceContext& piece);
+    bool search();
+    bool search(const PieceContext& piece);
+    [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
     NearKnot nearest_at(double tau, const Features& guesses);
@@ -58,8 +60,9 @@ private:
     [[nodiscard]] DistanceBounds of_bodies(const DistanceBounds& of_surfaces) const;
     [[nodiscard]] double width_at(double distance) const;
     [[nodiscard]] LinearBound widths_of(const Knot& start, const Knot& end) const;
-    [[nodiscard]] double farthest() const;
+    [[nodiscard]] Bracket of_balls() const;
 
+    const query::PairProfileQuery& question_;
     const Body& moving_;
     const Body& fixed_;
     const motion::AnyTrajectory& trajectory_;
@@ -75,8 +78,8 @@ private:
     Work work_;
 };
 
-ProfileSearch::ProfileSearch(const ProfileQuery& question)
-    : moving_(question.moving.body()), fixed_(question.fixed.body()), trajectory_(question.motion.trajectory()),
+ProfileSearch::ProfileSearch(const query::PairProfileQuery& question)
+    : question_(question), moving_(question.moving), fixed_(question.fixed), trajectory_(question.trajectory),
       options_(question.options), radii_(distance_of_polyhedra(moving_, fixed_, 0)),
       steps_(options_, 1 - share_of_bounds) {
     if (options_.absolute_tolerance == 0)
@@ -85,16 +88,11 @@ ProfileSearch::ProfileSearch(const ProfileQuery& question)
 }
 
 DistanceProfile ProfileSearch::run() {
-    const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory_, QueryOptions{}});
-    work_ += touch.work;
-    clear_until_ = touch.clear_until;
-    const auto pieces = trajectory_.pieces();
-    bool is_whole = true;
-    for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
-        is_whole = run(PieceContext(moving_, fixed_, pieces->at(i)));
-    if (!is_whole) {
-        steps_.add_rest(0, farthest());
-        certain_ = false;
+    const Bracket balls = of_balls();
+    const bool is_far = balls.lower >= question_.others.greatest_upper(question_.part);
+    if (is_far || !search()) {
+        steps_.add_rest(is_far ? balls.lower : 0, balls.upper);
+        certain_ = is_far;
     }
     DistanceProfile profile = std::move(steps_).result();
     profile.certain = certain_;
@@ -102,16 +100,48 @@ DistanceProfile ProfileSearch::run() {
     return profile;
 }
 
-/// The bodies are never farther apart: no farther than one vertex of each.
-double ProfileSearch::farthest() const {
-    const Eigen::Vector3d &moving = moving_.vertices().front(), &fixed = fixed_.vertices().front();
-    const motion::PathBall path = trajectory_.ball_around_path({moving.x(), moving.y(), moving.z()});
-    const Eigen::Vector3d centre(path.centre.x, path.centre.y, path.centre.z);
-    return std::max(0.0, ((centre - fixed).norm() + path.radius + rounding_of_balls * path.size) - radii_);
+/// False at a limit.
+bool ProfileSearch::search() {
+    const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory_, QueryOptions{}});
+    work_ += touch.work;
+    clear_until_ = touch.clear_until;
+    const auto pieces = trajectory_.pieces();
+    bool is_whole = true;
+    for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
+        is_whole = search(PieceContext(moving_, fixed_, pieces->at(i)));
+    return is_whole;
+}
+
+/// All along, the bodies are as far apart as balls around them and around their paths, and no farther than one vertex
+/// of each.
+Bracket ProfileSearch::of_balls() const {
+    const auto distances = [&](const Eigen::Vector3d& moving, const Eigen::Vector3d& fixed, double radius) {
+        const motion::PathBall path = trajectory_.ball_around_path({moving.x(), moving.y(), moving.z()});
+        const double middle = (Eigen::Vector3d(path.centre.x, path.centre.y, path.centre.z) - fixed).norm();
+        const double most = path.radius + radius + rounding_of_balls * (path.size + fixed.norm() + radius);
+        return Bracket{std::max(0.0, middle - most), middle + most};
+    };
+    const double both = moving_.ball_radius() + fixed_.ball_radius();
+    const Bracket to_vertex = distances(moving_.vertices().front(), fixed_.vertices().front(), 0);
+    return {distances(moving_.bvh().centre(), fixed_.bvh().centre(), both).lower,
+            std::max(0.0, to_vertex.upper - radii_)};
+}
+
+/// The bounds of a part that needs no closer ones, because another distance is less all along.
+std::optional<DistanceBounds> ProfileSearch::beyond_others(const Knot& start, const Knot& end) {
+    const Bracket &part = question_.part, local{steps_.time_of(start.near.tau), steps_.time_of(end.near.tau)};
+    const auto in_part = [&](double time) { return part.lower + time * (part.upper - part.lower); };
+    const double others = question_.others.greatest_upper({in_part(local.lower), in_part(local.upper)});
+    const bool may_be = start.touch == Touch::apart && end.touch == Touch::apart &&
+                        std::min(start.near.distance, end.near.distance) - radii_ >= others;
+    if (!may_be)
+        return std::nullopt;
+    const DistanceBounds bounds = of_bodies(*chords_->between(start.near, end.near, std::nullopt));
+    return bounds.lower.least() >= others ? std::optional(bounds) : std::nullopt;
 }
 
 /// From part to part in order of time. A part whose bounds are too far from each other is halved. False at a limit.
-bool ProfileSearch::run(const PieceContext& piece) {
+bool ProfileSearch::search(const PieceContext& piece) {
     piece_ = &piece;
     steps_.begin(piece.piece());
     chords_.emplace(piece);
@@ -124,7 +154,11 @@ bool ProfileSearch::run(const PieceContext& piece) {
         const Bracket part{start.near.tau, end.near.tau};
         const double width = part.upper - part.lower;
         const bool is_last = width <= shortest_part || parts_ > most_parts;
-        if (const auto bounds = bounds_of(start, end, is_last)) {
+        if (const auto far = beyond_others(start, end)) {
+            steps_.add_one(part, far->lower.least(), far->upper.greatest());
+            start = end;
+            ends.pop_back();
+        } else if (const auto bounds = bounds_of(start, end, is_last)) {
             if (start.touch == Touch::apart || end.touch == Touch::apart)
                 steps_.add(part, *bounds);
             else
@@ -249,7 +283,8 @@ void extend(std::vector<Bracket>& intervals, const Bracket& part) {
 DistanceProfile profile(const ProfileQuery& question) {
     query::check_options(question.options);
     check_motion(question.moving, question.fixed, question.motion);
-    return ProfileSearch(question).run();
+    return query::answer(query::PairProfileQuery{question.moving.body(), question.fixed.body(),
+                                                 question.motion.trajectory(), question.options});
 }
 
 Zones DistanceProfile::zones(double margin) const {
@@ -270,3 +305,11 @@ std::vector<Bracket> DistanceProfile::free() const {
 }
 
 } // namespace chasles
+
+namespace chasles::query {
+
+DistanceProfile answer(const PairProfileQuery& question) {
+    return ProfileSearch(question).run();
+}
+
+} // namespace chasles::query

@@ -3,6 +3,7 @@
 
 #include "chasles/query/first_contact.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace chasles {
@@ -32,6 +33,8 @@ struct [[nodiscard]] DistanceProfile {
     /// Whether the bounds are as near to each other as asked, but where the bodies touch: there `lower` is 0, and
     /// `upper` may be more.
     bool certain = false;
+    /// For the question about many pairs, by step: the index of a pair whose `upper` is the least; else empty.
+    std::vector<std::uint32_t> nearest;
     Work work;
 
     /// Where the bodies are within a distance of each other: a margin of the question, or any other one. Throws

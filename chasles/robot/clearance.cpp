@@ -27,7 +27,6 @@ private:
     void visit_segments();
     void visit(std::size_t segment);
     void visit(const SegmentPairs& pairs, const Task& task, std::size_t segment);
-    [[nodiscard]] double first_distance() const;
 
     const Prepared& prepared_;
     const JointPath& path_;
@@ -59,20 +58,12 @@ void ClearanceSearch::visit_segments() {
     }
 }
 
-/// A tenth of a link: pairs that are much farther apart need not be searched.
-double ClearanceSearch::first_distance() const {
-    double radius = 0;
-    for (const Prepared::Extent& extent : prepared_.extents)
-        radius = std::max(radius, extent.radius);
-    return std::clamp(0.1 * radius, 1e-30, Pose::largest_length);
-}
-
 /// All pairs within a distance, which grows until some pair is nearer, or is that of the nearest pair of all.
 void ClearanceSearch::visit(std::size_t segment) {
     const SegmentPairs pairs(prepared_, path_, segment);
     if (prepared_.self_pairs.empty() && prepared_.bodies.empty())
         return;
-    for (double distance = nearest_.has_any() ? nearest_.upper() : first_distance();;) {
+    for (double distance = nearest_.has_any() ? nearest_.upper() : robot::first_distance(prepared_);;) {
         for (const Task& task : near_tasks(prepared_, pairs.motion(), distance))
             pairs.naming(task, [&] { visit(pairs, task, segment); });
         if (nearest_.upper() <= distance || distance == Pose::largest_length)
@@ -84,8 +75,8 @@ void ClearanceSearch::visit(std::size_t segment) {
 
 void ClearanceSearch::visit(const SegmentPairs& pairs, const Task& task, std::size_t segment) {
     ++found_.pairs;
-    std::optional<LeastDistance> distance = nearest_.ask(
-        prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), pairs.trajectory(task));
+    std::optional<LeastDistance> distance =
+        nearest_.ask(prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), pairs.trajectory(task));
     if (!distance)
         return;
     distance->time = distance->tau = robot::in_segment(distance->time, task.part);

@@ -205,6 +205,13 @@ struct [[nodiscard]] RobotClearance {
     Work work;
 };
 
+/// How near a robot is to its world and to itself over a path.
+struct [[nodiscard]] RobotProfile {
+    DistanceProfile distance;     ///< the least of all pairs, with stamps of the path as times; infinite without a pair
+    std::vector<RobotPair> pairs; ///< what `distance.nearest` counts
+    std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
+};
+
 /// A robot in a world, made ready for many questions: what a planner asks for each of its edges. It keeps the state of
 /// the robot and of the scene at the time when it is made. Questions may be asked from several threads at a time.
 class CHASLES_EXPORT RobotChecker {
@@ -237,6 +244,11 @@ public:
     /// Along the straight edge between two configurations.
     [[nodiscard]] RobotClearance least_distance(const Configuration& start, const Configuration& goal,
                                                 const LeastDistanceOptions& options = {}) const;
+
+    /// The distance of the nearest pair over a path; margins of the checker have no effect. At a Limit what is proven
+    /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
+    /// pairs".
+    [[nodiscard]] RobotProfile profile(const JointPath& path, const ProfileOptions& options = {}) const;
 
     [[nodiscard]] const Robot& robot() const;
     /// What no answer of the checker looks at.

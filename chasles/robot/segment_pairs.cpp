@@ -144,6 +144,13 @@ motion::ErasedTrajectory<motion::SmoothTrajectory> SegmentPairs::trajectory(cons
     return motion::ErasedTrajectory<motion::SmoothTrajectory>{motion::SmoothTrajectory(motion_of(task))};
 }
 
+double first_distance(const RobotChecker::Prepared& prepared) {
+    double radius = 0;
+    for (const RobotChecker::Prepared::Extent& extent : prepared.extents)
+        radius = std::max(radius, extent.radius);
+    return std::clamp(0.1 * radius, 1e-30, Pose::largest_length);
+}
+
 std::vector<Task> tasks_of(const SegmentPairs& segment) {
     std::vector<Task> tasks = near_tasks(segment.prepared(), segment.motion());
     if (!segment.prepared().options.hold)

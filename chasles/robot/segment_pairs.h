@@ -54,6 +54,9 @@ private:
     Bracket of_scene_; ///< the time of the segment in that of the scene
 };
 
+/// So far apart are the pairs that a search for the nearest one tries first: a tenth of the largest link.
+double first_distance(const RobotChecker::Prepared& prepared);
+
 /// The pairs that may touch during a segment, in order of time. With `hold`, a pair that may be held is searched from
 /// the start of the segment to the end of its last part: it is held all along, whatever boxes prove in between.
 std::vector<Task> tasks_of(const SegmentPairs& segment);

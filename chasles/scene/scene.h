@@ -4,6 +4,7 @@
 
 #include "chasles/algebra/bracket.h"
 #include "chasles/query/least_distance.h"
+#include "chasles/query/profile.h"
 #include "chasles/scene/untested_pairs.h"
 
 #include <cstdint>
@@ -80,6 +81,14 @@ struct [[nodiscard]] SceneDistance {
     UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
 };
 
+/// How near the bodies of a scene are to each other over time.
+struct [[nodiscard]] SceneProfile {
+    DistanceProfile distance; ///< the least of all pairs; infinite if none is tested
+    /// What `distance.nearest` counts: the first body moves, the second one is fixed.
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
+};
+
 /// Bodies in one world over the time [0, 1]. Questions may be asked from several threads at a time; changes may not.
 class CHASLES_EXPORT Scene {
 public:
@@ -127,6 +136,10 @@ public:
     /// so far. Throws InvalidInput for an option out of its range, and if all pairs are farther apart than
     /// Pose::largest_length. Source: docs/derivations/27-scenes.md, "Nearest".
     [[nodiscard]] SceneDistance least_distance(const LeastDistanceOptions& options = {}) const;
+    /// The distance of the nearest pair over the time; margins of the scene have no effect. At a Limit what is proven
+    /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
+    /// pairs".
+    [[nodiscard]] SceneProfile profile(const ProfileOptions& options = {}) const;
     /// For each body the time until which it is proven clear of all others.
     [[nodiscard]] std::vector<double> clear_until(const SceneQuery& query = {}) const;
 

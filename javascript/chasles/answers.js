@@ -159,6 +159,49 @@ export function leastDistance(reader) {
   return answer;
 }
 
+const interval = (reader) => [reader.number(), reader.number()];
+
+/** From times[i] to times[i + 1] the distance is from lower[i] to upper[i]. `nearest` counts the pairs of a scene. */
+function addProfile(answer, reader) {
+  const numbers = () => Float64Array.from(reader.some(reader.number()));
+  Object.assign(answer, { times: numbers(), lower: numbers(), upper: numbers(), certain: reader.flag() });
+  answer.zones = reader.list(() => ({ margin: reader.number(), inside: reader.list(interval), doubt: reader.list(interval) }));
+  answer.free = reader.list(interval);
+  const nearest = reader.some(reader.number());
+  return { nearest, work: work(reader) };
+}
+
+export function profile(reader) {
+  const { shown } = motion(reader);
+  const answer = {};
+  const counters = addProfile(answer, reader).work;
+  answer.motion = shown;
+  answer.work = counters;
+  return answer;
+}
+
+const pairOf = (reader, names) => [names[reader.number()], names[reader.number()]];
+
+/** Of the nearest pair of a scene, or null if no two bodies are tested. */
+export function sceneDistance(reader, names) {
+  if (!reader.flag()) return null;
+  const answer = { pair: pairOf(reader, names), distance: reader.number(), distance_upper: reader.number() };
+  const counters = addFound(answer, reader, false);
+  answer.untested = untested(reader, names);
+  answer.work = counters;
+  return answer;
+}
+
+export function sceneProfile(reader, names) {
+  const answer = {};
+  const { nearest, work: counters } = addProfile(answer, reader);
+  answer.pairs = reader.list(() => pairOf(reader, names));
+  answer.nearest = nearest;
+  answer.untested = untested(reader, names);
+  answer.work = counters;
+  return answer;
+}
+
 /** Contacts of a scene, with the names of their bodies. */
 function sceneContacts(reader, names) {
   return reader.list(() => {

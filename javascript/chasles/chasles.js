@@ -1,10 +1,12 @@
 // One instance of the library: everything is asked from here.
-import { firstContact, leastDistance, pathContact } from "./answers.js";
+import { firstContact, leastDistance, pathContact, profile } from "./answers.js";
 import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
 import { bindMembers, given, Held } from "./held.js";
 import { fromBufferGeometry, fromObject3D } from "./geometry.js";
-import { addMotion, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
+import {
+  addLeast, addMotion, addProfile, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, fixedOptions, leastOptions, motionOptions, profileOptions, queryOptions,
+} from "./numbers.js";
 import { capsule, fromArrays, fromFile, pointsBody, Polyhedron } from "./polyhedron.js";
 import { addPoses } from "./poses.js";
 import { DraggedBody, Scene } from "./scene.js";
@@ -77,12 +79,17 @@ export class Chasles {
   }
 
   leastDistance(moving, fixed, start, goal, options = {}) {
-    checkOptions(options, ["tolerance", "timeTolerance", "find", ...motionOptions, ...fixedOptions]);
-    const { tolerance, timeTolerance } = options;
-    const asked = this.#bodies(moving, fixed);
-    asked.push(number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12), find(options.find, true));
+    checkOptions(options, [...leastOptions, ...motionOptions, ...fixedOptions]);
+    const asked = addLeast(this.#bodies(moving, fixed), options);
     this.#border.giveNumbers(addMotion(asked, start, goal, options));
     return leastDistance(this.#border.read("least_distance"));
+  }
+
+  profile(moving, fixed, start, goal, options = {}) {
+    checkOptions(options, [...profileOptions, ...motionOptions, ...fixedOptions]);
+    const asked = addProfile(this.#bodies(moving, fixed), options);
+    this.#border.giveNumbers(addMotion(asked, start, goal, options));
+    return profile(this.#border.read("profile"));
   }
 
   /** Where the moving body is at a time in [0, 1]. */

@@ -155,6 +155,22 @@ export interface LeastDistance extends ContactParts {
   work: Work;
 }
 
+/** The distance over time. From times[i] to times[i + 1] it is never below lower[i] and never above upper[i], mesh unit. */
+export interface DistanceProfile {
+  /** Ascending, from 0 to 1. The last entries of `lower` and `upper` are those at time 1. */
+  times: Float64Array;
+  lower: Float64Array;
+  upper: Float64Array;
+  /** Whether the bounds are as near to each other as asked, but where the bodies touch: there `lower` is 0. */
+  certain: boolean;
+  /** For each margin that was asked: the times within it, and those that may be. */
+  zones: { margin: number; inside: [number, number][]; doubt: [number, number][] }[];
+  /** When the bodies are proven not to touch: the longest intervals. */
+  free: [number, number][];
+  motion: MotionNumbers;
+  work: Work;
+}
+
 export interface MotionOptions {
   /** "screw" by default: the paper's motion. "velocity" and "twist" are even in time. */
   motion?: "screw" | "sweep" | "velocity" | "twist" | undefined;
@@ -186,22 +202,35 @@ export interface QueryOptions {
   find?: Find | undefined;
 }
 
+type OfProfiles = "absoluteTolerance" | "margins";
 /** Options of other questions. They would have no effect here, and are refused: `undefined` counts as left out. */
 export type LeftOut<Names extends string> = { readonly [Name in Names]?: undefined };
 
-export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions & LeftOut<"tolerance" | "until">;
+export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions & LeftOut<OfProfiles | "tolerance" | "until">;
 /** Those of `isClear`. */
-export type ClearOptions = Omit<QueryOptions, "find"> & MotionOptions & FixedOptions & LeftOut<"find" | "tolerance" | "until">;
+export type ClearOptions = Omit<QueryOptions, "find"> & MotionOptions & FixedOptions & LeftOut<OfProfiles | "find" | "tolerance" | "until">;
 /** Those of `firstContactOnPath`. */
-export type PathOptions = QueryOptions & MotionOptions & LeftOut<keyof FixedOptions | "tolerance" | "until">;
+export type PathOptions = QueryOptions & MotionOptions & LeftOut<OfProfiles | keyof FixedOptions | "tolerance" | "until">;
 /** Those of `poseAt`. */
-export type PoseOptions = MotionOptions & FixedOptions & LeftOut<keyof QueryOptions | "tolerance" | "until">;
+export type PoseOptions = MotionOptions & FixedOptions & LeftOut<OfProfiles | keyof QueryOptions | "tolerance" | "until">;
 export type LeastDistanceOptions = {
   /** Width of the bracket of the distance to aim for, as a part of the distance; 1e-6 by default. A coarser one can take less time. */
   tolerance?: number | undefined;
   timeTolerance?: number | undefined;
   find?: Exclude<Find, "any"> | undefined;
-} & MotionOptions & FixedOptions & LeftOut<"margin" | "hold" | "until">;
+} & MotionOptions & FixedOptions & LeftOut<OfProfiles | "margin" | "hold" | "until">;
+
+export interface ProfileTolerances {
+  /** The greatest difference of the bounds, as a part of the distance; in [1e-4, 1], 0.01 by default. */
+  tolerance?: number | undefined;
+  /** Differences of less do not matter, mesh unit; 0, the default: a millionth of the sum of both radii around the bodies. */
+  absoluteTolerance?: number | undefined;
+  /** Distances, mesh unit: the times at which each is crossed are bounded closely. */
+  margins?: Numbers | undefined;
+  /** So closely, as a part of the motion; in [1e-9, 1], a millionth by default. */
+  timeTolerance?: number | undefined;
+}
+export type ProfileOptions = ProfileTolerances & MotionOptions & FixedOptions & LeftOut<"find" | "margin" | "hold" | "until">;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
 export interface Held {
@@ -317,7 +346,7 @@ export interface MotionNearPoses {
 /** How a body of a scene moves. */
 export type BodyMotion = MotionToGoal | MotionThroughPoses | MotionNearPoses;
 
-export interface SceneOptions extends LeftOut<keyof MotionOptions | keyof FixedOptions | "tolerance"> {
+export interface SceneOptions extends LeftOut<keyof MotionOptions | keyof FixedOptions | OfProfiles | "tolerance"> {
   /** Distance of the surfaces that counts as contact, mesh unit; pairs may have their own (`setMargin`). */
   margin?: number | undefined;
   /** Less than the margin: bodies that start within it may move on until they come within this distance. */
@@ -401,6 +430,28 @@ export declare class Scene {
   allContacts(options?: SceneListOptions): SceneEvents;
   /** For each body the time until which it is proven clear of all others. */
   clearUntil(options?: SceneListOptions): Record<string, number>;
+  /** The two bodies that come nearest to each other, over the whole time; margins have no effect. Null if no two bodies are tested. */
+  leastDistance(options?: SceneDistanceOptions): SceneDistance | null;
+  /** The distance of the two bodies that are nearest, over the time; margins of the scene have no effect. Infinite if no two bodies are tested. */
+  profile(options?: SceneProfileOptions): SceneProfile;
+}
+
+type NotOfScenes = LeftOut<keyof MotionOptions | keyof FixedOptions | "margin" | "hold" | "until">;
+export type SceneDistanceOptions = Pick<LeastDistanceOptions, "tolerance" | "timeTolerance" | "find"> & NotOfScenes & LeftOut<OfProfiles>;
+export type SceneProfileOptions = ProfileTolerances & LeftOut<"find"> & NotOfScenes;
+
+export interface SceneDistance extends Omit<LeastDistance, "motion"> {
+  /** The first body moves, the second one is fixed. The lower end of the distance holds for all pairs. */
+  pair: [string, string];
+  untested: Untested;
+}
+
+export interface SceneProfile extends Omit<DistanceProfile, "motion"> {
+  /** The pairs that are nearest at some time. */
+  pairs: [string, string][];
+  /** From times[i] to times[i + 1] the pair pairs[nearest[i]] has the least upper bound. */
+  nearest: number[];
+  untested: Untested;
 }
 
 export interface DragOptions {
@@ -578,6 +629,8 @@ export declare class Chasles {
    * a first contact: `isClear` with a `margin` takes less, and a coarser `tolerance` can.
    */
   leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
+  /** How far apart are two bodies over the motion? Bounds of their distance for every time, the times within margins, and when nothing touches. */
+  profile(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: ProfileOptions): DistanceProfile;
   /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. For the fixed body see FixedOptions. */
   poseAt(start: Pose, goal: Pose, time: number, options?: PoseOptions): PoseNumbers;
   /** One answer a motion, in order. */

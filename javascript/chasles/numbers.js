@@ -10,6 +10,8 @@ const finds = ["first", "any", "first_with_all_contacts"];
 export const queryOptions = ["margin", "hold", "timeTolerance", "find"];
 export const motionOptions = ["motion", "centre", "maxTurn"];
 export const fixedOptions = ["fixedStart", "fixedGoal", "fixedCentre"];
+export const leastOptions = ["tolerance", "timeTolerance", "find"];
+export const profileOptions = ["tolerance", "absoluteTolerance", "margins", "timeTolerance"];
 /** Those of a first contact. */
 export const contactOptions = [...queryOptions, ...motionOptions, ...fixedOptions];
 
@@ -50,6 +52,18 @@ export function addQuery(numbers, options, listsAll = false) {
   addOptional(numbers, options.hold, addNumber, "hold");
   numbers.push(number(options.timeTolerance, "timeTolerance", 1e-12), find(options.find, listsAll));
   return numbers;
+}
+
+/** Tolerances, and what to find. */
+export function addLeast(numbers, { tolerance, timeTolerance, find: wanted }) {
+  numbers.push(number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12), find(wanted, true));
+  return numbers;
+}
+
+/** Tolerances and margins. */
+export function addProfile(numbers, { tolerance, absoluteTolerance, timeTolerance, margins = [] }) {
+  numbers.push(number(tolerance, "tolerance", 1e-2), number(absoluteTolerance, "absoluteTolerance", 0), number(timeTolerance, "timeTolerance", 1e-6));
+  return addCounted(numbers, margins, "margins");
 }
 
 /** The motion of a query for two bodies. */

@@ -1,14 +1,14 @@
 // Many bodies in one world, and a body in a hand.
-import { dragStep, sceneContact, sceneEvents } from "./answers.js";
+import { dragStep, sceneContact, sceneDistance, sceneEvents, sceneProfile } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { given, Held } from "./held.js";
-import { addDrag, addQuery, addWorldMotion, addWorldRule, dragOptions } from "./numbers.js";
+import { addDrag, addLeast, addProfile, addQuery, addWorldMotion, addWorldRule, dragOptions, leastOptions, profileOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 import { addPose, addPoses } from "./poses.js";
 import { checkOptions, number, text } from "./values.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
-const questions = { firstContact: 0, allContacts: 1, clearUntil: 2 };
+const questions = { firstContact: 0, allContacts: 1, clearUntil: 2, leastDistance: 3, profile: 4 };
 const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3, setHold: 4, setGroupHold: 5 };
 
 const encode = (value, name) => new TextEncoder().encode(text(value, name));
@@ -110,6 +110,14 @@ export class Scene extends Held {
     const reader = ask(this, "clearUntil", options);
     return Object.fromEntries(this.#names.map((name) => [name, reader.number()]));
   }
+  leastDistance(options = {}) {
+    checkOptions(options, leastOptions);
+    return sceneDistance(answer(this, "leastDistance", addLeast([], options)), this.#names);
+  }
+  profile(options = {}) {
+    checkOptions(options, profileOptions);
+    return sceneProfile(answer(this, "profile", addProfile([], options)), this.#names);
+  }
 }
 
 // No private methods: those of a Proxy fail without a word of ours.
@@ -123,9 +131,13 @@ function setRule(scene, rule, a, b, distance = 0) {
 }
 
 function ask(scene, question, options) {
-  const { border, handle } = ownOfScene(scene);
   checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
-  border.giveNumbers([...addQuery([], options, question !== "firstContact"), number(options.until, "until", 1)]);
+  return answer(scene, question, [...addQuery([], options, question !== "firstContact"), number(options.until, "until", 1)]);
+}
+
+function answer(scene, question, numbers) {
+  const { border, handle } = ownOfScene(scene);
+  border.giveNumbers(numbers);
   return border.read("scene_question", handle, questions[question]);
 }
 

@@ -26,12 +26,12 @@ export function number(value, name, byDefault) {
   return value;
 }
 
-const optionOf = { max_turn: "maxTurn", time_tolerance: "timeTolerance" };
+const optionOf = { max_turn: "maxTurn", time_tolerance: "timeTolerance", absolute_tolerance: "absoluteTolerance" };
 
 /** A message of the library, which writes `max_turn` for `maxTurn` in front of its colon, and has stamps where a body of a scene has times. */
 export const inJavaScript = (message) =>
   message
-    .replace(/^((?:\w+: )?)(max_turn|time_tolerance)(?=:)/, (_, asked, name) => asked + optionOf[name])
+    .replace(/^((?:\w+: )?)(max_turn|time_tolerance|absolute_tolerance)(?=:)/, (_, asked, name) => asked + optionOf[name])
     .replace(/^timed poses: stamps: .*/s, (stamps) => stamps.replace("timed poses: stamps", "motion: times").replaceAll("stamp ", "time "));
 
 export function text(value, name) {

@@ -188,4 +188,22 @@ QueryOptions options_in(NumbersIn& in) {
     return options;
 }
 
+LeastDistanceOptions least_options_in(NumbersIn& in) {
+    LeastDistanceOptions options;
+    options.tolerance = in.number();
+    options.time_tolerance = in.number();
+    options.find = static_cast<Find>(in.whole(2));
+    return options;
+}
+
+ProfileOptions profile_options_in(NumbersIn& in) {
+    ProfileOptions options;
+    options.tolerance = in.number();
+    options.absolute_tolerance = in.number();
+    options.time_tolerance = in.number();
+    const auto margins = in.some(std::size_t(in.number()));
+    options.margins.assign(margins.begin(), margins.end());
+    return options;
+}
+
 } // namespace chasles::javascript

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
+#include "chasles/query/profile.h"
 #include "view/motion_numbers.h"
 
 #include <optional>
@@ -56,5 +58,9 @@ NamedMotion motion_in(NumbersIn& in);
 Motion world_motion_in(NumbersIn& in);
 /// Margin, a flag with hold, time tolerance and what to find.
 QueryOptions options_in(NumbersIn& in);
+/// Tolerance, time tolerance and what to find.
+LeastDistanceOptions least_options_in(NumbersIn& in);
+/// Tolerance, absolute tolerance, time tolerance, a count of margins and so many.
+ProfileOptions profile_options_in(NumbersIn& in);
 
 } // namespace chasles::javascript

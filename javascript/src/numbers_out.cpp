@@ -99,4 +99,29 @@ void write(Numbers& out, const LeastDistance& found) {
     write_contacts(out, found);
 }
 
+static void write(Numbers& out, const std::vector<Bracket>& intervals) {
+    out.push_back(double(intervals.size()));
+    for (const Bracket& interval : intervals)
+        write(out, interval);
+}
+
+void write(Numbers& out, const DistanceProfile& found, const std::vector<double>& margins) {
+    for (const auto* numbers : {&found.times, &found.lower, &found.upper}) {
+        out.push_back(double(numbers->size()));
+        out.insert(out.end(), numbers->begin(), numbers->end());
+    }
+    out.push_back(found.certain ? 1 : 0);
+    out.push_back(double(margins.size()));
+    for (const double margin : margins) {
+        const Zones zones = found.zones(margin);
+        out.push_back(margin);
+        write(out, zones.inside);
+        write(out, zones.doubt);
+    }
+    write(out, found.free());
+    out.push_back(double(found.nearest.size()));
+    out.insert(out.end(), found.nearest.begin(), found.nearest.end());
+    write(out, found.work);
+}
+
 } // namespace chasles::javascript

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/query/least_distance.h"
+#include "chasles/query/profile.h"
 #include "view/motion_numbers.h"
 
 #include <vector>
@@ -19,5 +20,7 @@ void write(Numbers& out, const Work& work);
 void write(Numbers& out, const view::MotionNumbers& motion);
 void write(Numbers& out, const FirstContact& found);
 void write(Numbers& out, const LeastDistance& found);
+/// With the zones within the margins that were asked.
+void write(Numbers& out, const DistanceProfile& found, const std::vector<double>& margins);
 
 } // namespace chasles::javascript

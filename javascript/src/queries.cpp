@@ -44,13 +44,18 @@ void answer_path(Numbers& out, NumbersIn& in) {
 
 void answer_least_distance(Numbers& out, NumbersIn& in) {
     const auto [moving, fixed] = bodies_in(in);
-    LeastDistanceOptions options;
-    options.tolerance = in.number();
-    options.time_tolerance = in.number();
-    options.find = static_cast<Find>(in.whole(2));
+    const LeastDistanceOptions options = least_options_in(in);
     const NamedMotion motion = motion_in(in);
     write(out, motion.numbers);
     write(out, least_distance({moving, fixed, motion.motion, options}));
+}
+
+void answer_profile(Numbers& out, NumbersIn& in) {
+    const auto [moving, fixed] = bodies_in(in);
+    const ProfileOptions options = profile_options_in(in);
+    const NamedMotion motion = motion_in(in);
+    write(out, motion.numbers);
+    write(out, profile({moving, fixed, motion.motion, options}), options.margins);
 }
 
 /// Where the moving body is at a time of its motion.
@@ -84,6 +89,13 @@ CHASLES_JAVASCRIPT(pose_at)() {
     return js::answered([](js::Numbers& out) {
         js::NumbersIn in(js::given_numbers());
         js::answer_pose(out, in);
+    });
+}
+
+CHASLES_JAVASCRIPT(profile)() {
+    return js::answered([](js::Numbers& out) {
+        js::NumbersIn in(js::given_numbers());
+        js::answer_profile(out, in);
     });
 }
 

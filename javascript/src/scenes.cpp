@@ -58,16 +58,44 @@ void write(Numbers& out, const Scene& scene, const SceneQuery& query, const Scen
     write(out, scene, found.untested.total() > 0 ? scene.untested(query) : found.untested);
 }
 
-enum class Question : std::uint8_t { first_contact, all_contacts, clear_until };
+enum class Question : std::uint8_t { first_contact, all_contacts, clear_until, least_distance, profile };
+
+/// A flag whether there is a pair, its bodies and its distance; and what is not tested.
+void write_least_distance(Numbers& out, const Scene& scene) {
+    NumbersIn in(given_numbers());
+    const SceneDistance found = scene.least_distance(least_options_in(in));
+    out.push_back(found.pair ? 1 : 0);
+    if (found.pair) {
+        out.insert(out.end(), {double(found.pair->first), double(found.pair->second)});
+        javascript::write(out, found.nearest);
+    }
+    write(out, scene, scene.untested());
+}
+
+/// The profile, the bodies of the pairs that it counts, and what is not tested.
+void write_profile(Numbers& out, const Scene& scene) {
+    NumbersIn in(given_numbers());
+    const ProfileOptions options = profile_options_in(in);
+    const SceneProfile found = scene.profile(options);
+    javascript::write(out, found.distance, options.margins);
+    out.push_back(double(found.pairs.size()));
+    for (const auto& [moving, fixed] : found.pairs)
+        out.insert(out.end(), {double(moving), double(fixed)});
+    write(out, scene, scene.untested());
+}
 
 void answer_scene(Numbers& out, const Scene& scene, Question question) {
+    if (question == Question::least_distance)
+        return write_least_distance(out, scene);
+    if (question == Question::profile)
+        return write_profile(out, scene);
     const SceneQuery query = query_in();
     switch (question) {
     case Question::first_contact:
         return write(out, scene, query, scene.first_contact(query));
     case Question::all_contacts:
         return write(out, scene, query, scene.all_contacts(query));
-    case Question::clear_until:
+    default:
         break;
     }
     for (const double time : scene.clear_until(query))
@@ -185,7 +213,7 @@ CHASLES_JAVASCRIPT(scene_rule)(std::int32_t scene, std::int32_t rule, std::uint3
 /// Answers a question about a scene. The options are in the numbers.
 CHASLES_JAVASCRIPT(scene_question)(std::int32_t scene, std::int32_t question) {
     return js::answered([&](js::Numbers& out) {
-        if (question < 0 || question > std::int32_t(js::Question::clear_until))
+        if (question < 0 || question > std::int32_t(js::Question::profile))
             throw chasles::InvalidInput("scene: there is no such question");
         js::answer_scene(out, js::scene_of(scene), js::Question(question));
     });

@@ -33,5 +33,7 @@ def plot_profile(profile: DistanceProfile, axes: Axes | None = None, *, margins:
     axes.fill_between(profile.times, profile.lower, profile.upper, step="post", color=BAND, linewidth=1.2)
     for margin in margins:
         axes.axhline(margin, color=MARGIN, linestyle="--", linewidth=1)
-    axes.set(xlabel="time, as a part of the motion", ylabel="distance", xlim=(0, 1), ylim=(0, None))
+    begin, end = profile.times[0], profile.times[-1]
+    label = "time" if (begin, end) != (0, 1) else "time, as a part of the motion"
+    axes.set(xlabel=label, ylabel="distance", xlim=(begin, end), ylim=(0, None))
     return axes

@@ -38,9 +38,9 @@ nb::object nearest_pair(const PythonScene& given, const std::vector<std::string>
                         const std::optional<std::vector<std::string>>& second, double tolerance) {
     const Asking question = given.asking();
     const Scene& scene = given.scene;
-    scene::NearestPairQuery query{.first = indices_of(scene, first), .options = {.tolerance = tolerance}};
+    scene::NearestPairQuery query{.pairs = {.first = indices_of(scene, first)}, .options = {.tolerance = tolerance}};
     if (second)
-        query.second = indices_of(scene, *second);
+        query.pairs.second = indices_of(scene, *second);
     SceneDistance found;
     run_interruptibly(
         [&](Progress&) {

@@ -7,6 +7,7 @@
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/poses.h"
+#include "python/src/profile.h"
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 #include "view/names.h"
@@ -182,6 +183,7 @@ void bind_robot(nb::module_& module) {
     bind_proof(module);
     nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
+    bind_profile(type);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
                     "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic", "radius"_a = 0.0,
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
+#include "python/src/profile.h"
 #include "python/src/query_options.h"
 #include "python/src/recipe.h"
 
@@ -313,6 +314,7 @@ void bind_scene(nb::module_& module) {
     bind_contact(module);
     nb::class_<PythonScene> type(module, "Scene", doc("Scene"), collected<PythonScene>());
     bind_scene_state(type);
+    bind_profile(type);
     type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
              "motion"_a = nb::none(), "centre"_a = nb::none(), "group"_a = "",

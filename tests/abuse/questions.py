@@ -72,6 +72,12 @@ QUESTIONS = {
             (file("--page"),),
         ),
         Question(
+            "scene-profile",
+            ("scene", "scene.json", "--profile"),
+            ("scene.json", *BODIES, *PART, "fixture.urdf", "fixture.3mf"),
+            (file("--csv"), file("--plot")),
+        ),
+        Question(
             "drag",
             ("drag", "rest.json", "--body", "box", "--goals", "goals.csv"),
             ("rest.json", *BODIES, *PART, "goals.csv"),
@@ -84,6 +90,12 @@ QUESTIONS = {
             (file("--page"),),
         ),
         Question("robot-clearance", ("robot", *ROBOT, *CELL, "--clearance"), (*ROBOT_FILES, *CELL_FILES)),
+        Question(
+            "robot-profile",
+            ("robot", *ROBOT, *CELL, "--profile"),
+            (*ROBOT_FILES, *CELL_FILES),
+            (file("--csv"), file("--plot")),
+        ),
         Question("acm", ("acm", *ROBOT), ROBOT_FILES, (file("--out"),)),
         Question("info", ("info", "moving.obj"), ("moving.obj",)),
         Question("info-robot", ("info", *ROBOT, "--json"), ROBOT_FILES),

@@ -79,5 +79,37 @@ TEST_F(ProfileCommand, WritesATableAndAPicture) {
     EXPECT_EQ(profile(passing + "--margins 1,-2").status, 2);
 }
 
+/// A cart between two walls.
+TEST_F(ProfileCommand, OfASceneNamesTheNearestPair) {
+    const std::string hall =
+        R"({"bodies": [{"name": "left", "mesh": "cube.obj", "pose": [-4, 0, 0]}, {"name": "right, far", "mesh": "cube.obj", "pose": [4, 0, 0]},)"
+        R"({"name": "cart", "mesh": "cube.obj", "pose": [-2, 0, 0], "goal": [2, 0, 0]}]})";
+    std::ofstream(path("hall.json")) << hall;
+    const auto finished = run("scene hall.json --profile --margins 1.5 --csv hall.csv --plot hall.svg");
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_TRUE(finished.out.starts_with("DISTANCE from 1 to 3")) << finished.out;
+    EXPECT_NE(finished.out.find("; motion: velocity\n  untested  1 pair: 1 at rest (left and right, far)\n"),
+              std::string::npos)
+        << finished.out;
+    EXPECT_NE(finished.out.find("  nearest   cart and left: 0 to 0."), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("            cart and right, far: 0."), std::string::npos) << finished.out;
+    std::string head, row;
+    std::ifstream table(path("hall.csv"));
+    std::getline(table, head);
+    std::getline(table, row);
+    EXPECT_EQ(head, "time,lower,upper,first,second");
+    EXPECT_TRUE(row.starts_with("0,") && row.ends_with(",cart,left")) << row;
+    while (std::getline(table, row))
+        head = row;
+    EXPECT_TRUE(head.starts_with("1,") && head.ends_with(",cart,\"right, far\"")) << head;
+    const Json answer = Json::parse(run("scene hall.json --profile --json").out);
+    EXPECT_EQ(answer["pairs"], Json::parse(R"([["cart", "left"], ["cart", "right, far"]])"));
+    EXPECT_EQ(answer["nearest"].size() + 1, answer["times"].size());
+    EXPECT_EQ(answer["untested"]["pairs"], 1);
+    EXPECT_EQ(run("scene hall.json --tolerance 0.1").status, 2) << "of what?";
+    EXPECT_EQ(run("scene hall.json --csv hall.csv").status, 2) << "of what?";
+    EXPECT_EQ(run("scene hall.json --profile --csv hall.json").status, 2) << "an input";
+}
+
 } // namespace
 } // namespace chasles

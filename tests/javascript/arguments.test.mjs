@@ -104,6 +104,7 @@ test("null is no value of any option, and undefined counts as left out", async (
   const motion = ["motion", "centre", "maxTurn"];
   const fixed = ["fixedStart", "fixedGoal", "fixedCentre"];
   const query = ["margin", "hold", "timeTolerance", "find"];
+  const profile = ["tolerance", "absoluteTolerance", "margins", "timeTolerance"];
   const places = ["pose", "goal", "motion", "centre", "poses", "times"];
   const workers = await chasles.workers({ count: 1 });
   const asked = [
@@ -115,6 +116,9 @@ test("null is no value of any option, and undefined counts as left out", async (
     [["margin", ...motion, ...fixed], (options) => chasles.isClear(cube, cube, far, far, options)],
     [[...query, ...motion], (options) => chasles.firstContactOnPath(cube, cube, [far, far], options)],
     [["tolerance", "timeTolerance", "find", ...motion, ...fixed], (options) => chasles.leastDistance(cube, cube, far, far, options)],
+    [[...profile, ...motion, ...fixed], (options) => chasles.profile(cube, cube, far, far, options)],
+    [["tolerance", "timeTolerance", "find"], (options) => scene.leastDistance(options)],
+    [profile, (options) => scene.profile(options)],
     [[...motion, ...fixed], (options) => chasles.poseAt(far, far, 0, options)],
     [[...places, "group"], (options) => scene.add("b", cube, options)],
     [places, (options) => scene.move("a", { pose: far, ...options })],
@@ -152,6 +156,7 @@ test("an undefined option counts as left out, also one of another question", asy
     () => chasles.firstContactOnPath(cube, cube, [far, far], none), () => chasles.leastDistance(cube, cube, far, far, none),
     () => chasles.firstContactBatch(cube, cube, [far], [far], none), () => scene.add("a", cube, none), () => scene.move("a", { ...none, pose: far }),
     () => scene.moveAll([far], [far], none), () => scene.firstContact(none), () => scene.allContacts(none), () => scene.clearUntil(none),
+    () => chasles.profile(cube, cube, far, far, none), () => scene.leastDistance(none), () => scene.profile(none),
     () => chasles.draggedBody(scene, "a", none), () => chasles.polyhedron(vertices, faces, none), () => chasles.workers({ ...none, count: 1 }).then((workers) => workers.stop()), () => load(none),
   ];
   for (const ask of asked) await ask();

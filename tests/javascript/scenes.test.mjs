@@ -79,3 +79,39 @@ test("rules of groups may be set before the groups have bodies, and holds before
   scene.setMargin("box", "table", 0.3);
   assert.equal(scene.firstContact().verdict, "clear");
 });
+
+const stepAt = ({ times }, time) => Math.max(0, Math.min(times.findLastIndex((t) => t <= time), times.length - 2));
+
+test("profiles bound the distance at every time, and tell zones and free times", () => {
+  const profile = chasles.profile(cube, cube, [-5, 2.5, 0], [5, 2.5, 0], { motion: "velocity", margins: [1] });
+  assert.ok(profile.certain);
+  for (let i = 0; i <= 500; ++i) {
+    const distance = Math.hypot(Math.max(Math.abs(10 * (i / 500) - 5) - 2, 0), 0.5), step = stepAt(profile, i / 500);
+    assert.ok(profile.lower[step] <= distance + 1e-12 && profile.upper[step] >= distance - 1e-12);
+  }
+  const [{ margin, inside, doubt }] = profile.zones;
+  assert.deepEqual([margin, inside.length, profile.free], [1, 1, [[0, 1]]]);
+  assert.ok(Math.abs(inside[0][0] - (0.5 - (2 + Math.sqrt(0.75)) / 10)) < 2e-6 && doubt.every(([from, to]) => to - from < 2e-6));
+  assert.match(refusal(() => chasles.profile(cube, cube, [-5, 2.5, 0], [5, 2.5, 0], { absoluteTolerance: -1 })), /^query: absoluteTolerance: /);
+  assert.match(refusal(() => chasles.profile(cube, cube, [-5, 2.5, 0], [5, 2.5, 0], { margins: 1 })), /^margins: 1 is no array/);
+});
+
+test("a scene names the two bodies that are nearest, and when", () => {
+  const scene = chasles.scene();
+  assert.equal(scene.leastDistance(), null);
+  assert.deepEqual(Array.from(scene.profile().lower), [Infinity, Infinity]);
+  scene.add("left", cube, { pose: [-6, 0, 0] });
+  scene.add("right", cube, { pose: [6.5, 0, 0] });
+  scene.add("cart", cube, { pose: [-2, 0, 0], goal: [2, 0, 0] });
+  const near = scene.leastDistance();
+  assert.deepEqual([near.pair, near.certain, near.untested.pairs], [["cart", "left"], true, 1]);
+  assert.ok(near.distance <= 2 && near.distance_upper >= 2 && near.distance_upper - near.distance <= 2e-6);
+  const profile = scene.profile({ margins: [2.5] });
+  assert.deepEqual([profile.pairs, profile.nearest[0], profile.nearest.at(-1)], [[["cart", "left"], ["cart", "right"]], 0, 1]);
+  assert.equal(profile.nearest.length, profile.times.length - 1);
+  for (let i = 0; i <= 300; ++i) {
+    const time = i / 300, step = stepAt(profile, time), distance = Math.min(2 + 4 * time, 6.5 - 4 * time);
+    assert.ok(profile.lower[step] <= distance + 1e-12 && profile.upper[step] >= distance - 1e-12);
+  }
+  assert.ok(Math.abs(profile.zones[0].inside[0][1] - 0.125) < 2e-6 && Math.abs(profile.zones[0].inside[1][0] - 1) < 2e-6);
+});

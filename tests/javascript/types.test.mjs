@@ -73,7 +73,10 @@ test("options are those of the types", async () => {
   const options = {
     FirstContactOptions: keysOf((given) => chasles.firstContact(cube, cube, far, far, given)),
     LeastDistanceOptions: keysOf((given) => chasles.leastDistance(cube, cube, far, far, given)),
+    ProfileOptions: keysOf((given) => chasles.profile(cube, cube, far, far, given)),
     SceneOptions: keysOf((given) => scene.firstContact(given)),
+    SceneDistanceOptions: keysOf((given) => scene.leastDistance(given)),
+    SceneProfileOptions: keysOf((given) => scene.profile(given)),
     BodyMotion: keysOf((given) => scene.move("a", given)),
     DragOptions: keysOf((given) => chasles.draggedBody(scene, "a", given)),
     MassProperties: keysOf((mass) => chasles.draggedBody(scene, "a", { mass })),
@@ -103,10 +106,13 @@ test("options of one question compile for another one exactly where they are tak
     PoseOptions: ["chasles.poseAt(far, far, 0, OPTIONS)", (given) => chasles.poseAt(far, far, 0, given)],
     SceneOptions: ["scene.firstContact(OPTIONS)", (given) => scene.firstContact(given)],
     SceneListOptions: ["scene.allContacts(OPTIONS)", (given) => scene.allContacts(given)],
+    ProfileOptions: ["chasles.profile(body, body, far, far, OPTIONS)", (given) => chasles.profile(cube, cube, far, far, given)],
+    SceneDistanceOptions: ["scene.leastDistance(OPTIONS)", (given) => scene.leastDistance(given)],
+    SceneProfileOptions: ["scene.profile(OPTIONS)", (given) => scene.profile(given)],
   };
   const lines = ["declare const chasles: all.Chasles, body: all.Polyhedron, scene: all.Scene; const far = [5, 0, 0];\n"];
   const counts = { taken: 0, refused: 0 };
-  const listsAll = ["LeastDistanceOptions", "SceneListOptions"];
+  const listsAll = ["LeastDistanceOptions", "SceneListOptions", "SceneDistanceOptions"];
   for (const [type, [, ask]] of Object.entries(questions))
     for (const [other, [code, asked]] of Object.entries(questions)) {
       const takesAll = keysOf(ask).every((key) => keysOf(asked).includes(key));
@@ -134,6 +140,12 @@ test("options that are undefined are taken, as the types say", async () => {
   assert.ok(await load(none("wasm")));
 });
 
+/** Typed arrays as what a type takes for them. */
+const asLists = (profile) => {
+  for (const name of ["times", "lower", "upper"]) assert.ok(profile[name] instanceof Float64Array);
+  return { ...profile, times: "NUMBERS", lower: "NUMBERS", upper: "NUMBERS" };
+};
+
 test("answers have the keys of the types", () => {
   const near = [0.5, 0, 0, 1, 0.2, 0.1, 0];
   const held = { margin: 0.1, hold: 0.02 };
@@ -148,6 +160,9 @@ test("answers have the keys of the types", () => {
     ],
     PathContact: [chasles.firstContactOnPath(cube, cube, [far, near])],
     LeastDistance: [chasles.leastDistance(cube, cube, far, near), chasles.leastDistance(cube, cube, far, far)],
+    DistanceProfile: [asLists(chasles.profile(cube, cube, far, near, { margins: [1] }))],
+    SceneDistance: [scene.leastDistance(), table.leastDistance()],
+    SceneProfile: [asLists(scene.profile()), asLists(table.profile({ margins: [0.1] }))],
     SceneContact: [scene.firstContact(), scene.firstContact({ until: 0.01 }), table.firstContact(held)],
     SceneEvents: [scene.allContacts()],
     DragStep: [hand.update([0, 0, 0]), hand.update(far)],
@@ -157,7 +172,7 @@ test("answers have the keys of the types", () => {
   };
   assert.ok(answers.FirstContact.some((answer) => answer.held) && answers.SceneContact.some((answer) => answer.held));
   assert.ok(answers.FirstContact.some((answer) => answer.overlap));
-  const texts = Object.entries(answers).flatMap(([type, list]) => list.map((answer, i) => `const ${type}${i}: all.${type} = ${JSON.stringify(answer)};\n`));
+  const texts = Object.entries(answers).flatMap(([type, list]) => list.map((answer, i) => `const ${type}${i}: all.${type} = ${JSON.stringify(answer).replaceAll('"NUMBERS"', "new Float64Array()")};\n`));
   for (const type of ["DraggedBody", "MeshBody"]) texts.push(`export const ofA${type}: all.PoseNumbers = null! as all.${type}["pose"];\n`);
   assert.equal(complaints("answers", head + texts.join("")), "");
   assert.match(complaints("answers", `${head}const wrong: all.SceneContact = ${JSON.stringify({ ...scene.firstContact(), extra: 1 })};`), /extra/);

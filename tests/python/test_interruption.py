@@ -169,12 +169,16 @@ QUESTIONS = {
     "all_contacts": ("", "scene.all_contacts()"),
     "clear_until": ("", "scene.clear_until()"),
     "nearest_pair": ("", "chasles._core._nearest_pair(scene, ['lower', 'upper'], tolerance=1e-9)"),
+    "profile": ("", "chasles.profile(*sheets[::-1], motion=slide)"),
+    "scene_profile": ("", "scene.profile()"),
+    "scene_distance": ("", "scene.least_distance()"),
     "stepper": ("stepper = chasles.Stepper(scene, margin=1e-10)", "stepper.advance()"),
     "robot": ("arm = robot()", "arm.first_contact([0, 0], [0.4, 0.8])"),
     "edge": ("checker = chasles.RobotChecker(robot())", "checker.first_contact([0, 0], [0.4, 0.8])"),
     "edge_is_clear": ("checker = chasles.RobotChecker(robot())", "checker.is_clear([0, 0], [0.4, 0.8])"),
     "robot_path": ("arm = robot()", "arm.first_contact_on_path([[0, 0], [0.4, 0.8]])"),
     "robot_distance": ("arm = robot()", "arm.least_distance([0, 0], [0.4, 0.8])"),
+    "robot_profile": ("arm = robot()", "arm.profile([[0, 0], [0.4, 0.8]])"),
     "prove_pairs": ("arm = robot()", "arm.prove_pairs(seconds=100)"),
 }
 

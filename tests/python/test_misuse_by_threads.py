@@ -50,6 +50,7 @@ SCENE_QUESTIONS = {
     "clear_until": lambda s: s.clear_until(),
     "first_contact": lambda s: s.first_contact().time,
     "least_distance": lambda s: s.least_distance().distance_upper,
+    "profile": lambda s: s.profile().upper.min(),
 }
 SCENE_READS = {"names", "untested", "view"}
 
@@ -249,7 +250,7 @@ ROBOT_CHANGES = {
 }
 ROBOT_READS = {
     "collisions", "continuous", "description", "first_contact", "first_contact_on_path", "is_tested", "least_distance", "limits",
-    "link_pose", "link_poses", "links", "load", "name", "neutral", "prove_pairs", "shape", "state",
+    "link_pose", "link_poses", "links", "load", "name", "neutral", "profile", "prove_pairs", "shape", "state",
     "tested_pairs", "variables", "warnings", "warnings_about",
 }  # fmt: skip
 
@@ -279,7 +280,7 @@ def test_a_robot_does_not_change_while_its_pairs_are_proven(change, robot, cube)
     ROBOT_CHANGES[change](robot, cube)
 
 
-@pytest.mark.parametrize("question", ["first_contact", "first_contact_on_path", "least_distance"])
+@pytest.mark.parametrize("question", ["first_contact", "first_contact_on_path", "least_distance", "profile"])
 def test_a_robot_does_not_change_while_it_is_asked_about_a_scene(question, robot, cube):
     gate = Gate()
     scene = chasles.Scene()
@@ -291,6 +292,7 @@ def test_a_robot_does_not_change_while_it_is_asked_about_a_scene(question, robot
         "first_contact": lambda: robot.first_contact([0, 0], [0.1, 0], scene=scene),
         "first_contact_on_path": lambda: robot.first_contact_on_path([[0, 0], [0.1, 0]], scene=scene),
         "least_distance": lambda: robot.least_distance([0, 0], [0.1, 0], scene=scene),
+        "profile": lambda: robot.profile([[0, 0], [0.1, 0]], scene=scene),
     }
     with held(gate, questions[question]) as answers:
         with pytest.raises(chasles.InvalidInput, match=f"^robot: {QUESTION}"):

@@ -84,3 +84,50 @@ def test_options_out_of_their_range_are_refused(cube):
         chasles.profile(cube, cube, pose(3, 0, 0), pose(4, 0, 0), tolerance=0)
     with pytest.raises(chasles.InvalidInput, match="margins"):
         chasles.profile(cube, cube, pose(3, 0, 0), pose(4, 0, 0), margins="near")
+
+
+def test_a_scene_names_the_pair_that_is_nearest(cube):
+    scene = chasles.Scene()
+    scene.add("left", cube, pose=pose(-4, 0, 0))
+    scene.add("right", cube, pose=pose(4, 0, 0))
+    scene.add("cart", cube, pose=pose(-2, 0, 0), goal=pose(2, 0, 0))
+    profile = scene.profile(margins=[1.5])
+    assert profile.pairs == [("cart", "left"), ("cart", "right")] and len(profile.nearest) == len(profile.times) - 1
+    times = np.linspace(0, 1, 333)
+    assert profile.certain and holds(profile, times, 1 + np.minimum(4 * times, 4 - 4 * times))
+    nearest = [profile.pairs[i] for i in profile.nearest]
+    middle = (profile.times[:-1] + profile.times[1:]) / 2
+    assert all(pair == ("cart", "left") for pair, time in zip(nearest, middle) if time < 0.49)
+    assert all(pair == ("cart", "right") for pair, time in zip(nearest, middle) if time > 0.51)
+    assert profile.untested.count == 1  # the walls never move
+    assert chasles.profile(cube, cube, pose(3, 0, 0), pose(2, 0, 0)).pairs == []
+
+
+def test_a_scene_without_pairs_is_infinite(cube):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    profile = chasles.Scene().profile()
+    assert np.isinf(profile.lower).all() and np.isinf(profile.upper).all() and profile.pairs == []
+    assert profile.free == [(0, 1)] and profile.zones(3) == ([], [])
+    profile.plot()
+
+
+def test_a_robot_counts_segments_or_stamps(cube):
+    robot = chasles.Robot(
+        links=[{"name": "base"}, {"name": "cube", "shapes": [cube]}],
+        joints=[{"name": "way", "type": "prismatic", "parent": "base", "child": "cube", "axis": [1, 0, 0]}],
+    )
+    scene = chasles.Scene()
+    scene.add("first", cube, pose=pose(2, 1.5, 0))
+    scene.add("second", cube, pose=pose(6, 1.25, 0))
+    for stamps in (None, [10, 12, 20]):
+        profile = robot.profile([[0], [4], [8]], stamps, scene=scene, tolerance=TOLERANCE)
+        knots = [0, 1, 2] if stamps is None else stamps
+        assert profile.times[0] == knots[0] and profile.times[-1] == knots[-1] and profile.certain
+        times = np.linspace(knots[0], knots[-1], 400)
+        x = np.interp(times, knots, [0, 4, 8])
+        to_post = [np.hypot(np.maximum(np.abs(x - post) - 1, 0), gap) for post, gap in ((2, 0.5), (6, 0.25))]
+        assert holds(profile, times, np.minimum(*to_post))
+        assert profile.pairs == [("cube", "first"), ("cube", "second")]
+    with pytest.raises(chasles.InvalidInput, match="tolerance: must be in"):
+        robot.profile([[0], [4]], tolerance=3)

@@ -54,9 +54,9 @@ TEST(NearestPair, IsThatOfAllPairs) {
                 for (std::size_t b = a + 1; b < count; ++b)
                     if ((is_within || (a < middle && b >= middle)) && !world.is_ignored(a, b))
                         expected = std::min(expected, of_pair(world, a, b).distance.upper);
-            NearestPairQuery query{.first = all_of(0, is_within ? count : middle)};
+            NearestPairQuery query{.pairs = {.first = all_of(0, is_within ? count : middle)}};
             if (!is_within)
-                query.second = all_of(middle, count);
+                query.pairs.second = all_of(middle, count);
             const SceneDistance found = nearest_pair(world, query);
             ASSERT_EQ(found.pair.has_value(), expected < std::numeric_limits<double>::infinity());
             if (!found.pair)
@@ -108,7 +108,7 @@ TEST(NearestPair, ComparesFewPairs) {
         pose.translation += 8 * Eigen::Vector3d(i % 10, i / 10 % 10, i / 100);
         world.add({std::to_string(i), shape, Motion::at_rest(pose), ""});
     }
-    const SceneDistance found = nearest_pair(world, {.first = all_of(0, 1000)});
+    const SceneDistance found = nearest_pair(world, {.pairs = {.first = all_of(0, 1000)}});
     ASSERT_TRUE(found.pair);
     EXPECT_GT(found.nearest.distance.lower, 0);
     EXPECT_LT(found.pairs, 4000U); // of 499,500
@@ -117,10 +117,10 @@ TEST(NearestPair, ComparesFewPairs) {
 TEST(NearestPair, OfNoPairIsNone) {
     Random random(4103);
     const Scene world = random_world(random, 3, 5);
-    EXPECT_FALSE(nearest_pair(world, {.first = {}}).pair);
-    EXPECT_FALSE(nearest_pair(world, {.first = {1}}).pair);
-    EXPECT_FALSE(nearest_pair(world, {.first = {1}, .second = std::vector<std::size_t>()}).pair);
-    EXPECT_FALSE(nearest_pair(world, {.first = {1}, .second = std::vector<std::size_t>{1}}).pair);
+    EXPECT_FALSE(nearest_pair(world, {.pairs = {.first = {}}}).pair);
+    EXPECT_FALSE(nearest_pair(world, {.pairs = {.first = {1}}}).pair);
+    EXPECT_FALSE(nearest_pair(world, {.pairs = {.first = {1}, .second = std::vector<std::size_t>()}}).pair);
+    EXPECT_FALSE(nearest_pair(world, {.pairs = {.first = {1}, .second = std::vector<std::size_t>{1}}}).pair);
 }
 
 TEST(NearestPair, IsCancelledAndRefusesWhatItCannotUse) {
@@ -133,8 +133,9 @@ TEST(NearestPair, IsCancelledAndRefusesWhatItCannotUse) {
         EXPECT_EQ(found.nearest.distance.upper, std::numeric_limits<double>::infinity());
         EXPECT_LE(found.nearest.distance.lower, of_pair(world, 0, 1).distance.upper);
     }
-    EXPECT_THROW(static_cast<void>(nearest_pair(world, {.first = {4}})), InvalidInput);
-    EXPECT_THROW(static_cast<void>(nearest_pair(world, {.first = {0, 1}, .options = {.tolerance = 2}})), InvalidInput);
+    EXPECT_THROW(static_cast<void>(nearest_pair(world, {.pairs = {.first = {4}}})), InvalidInput);
+    EXPECT_THROW(static_cast<void>(nearest_pair(world, {.pairs = {.first = {0, 1}}, .options = {.tolerance = 2}})),
+                 InvalidInput);
 }
 
 } // namespace

@@ -112,7 +112,8 @@ TEST(RoundBodiesInScenes, LeastDistancesAreThoseOfRoundBodies) {
             continue;
         std::vector<std::size_t> all(balls.size());
         std::iota(all.begin(), all.end(), std::size_t(0));
-        const chasles::SceneDistance found = chasles::scene::nearest_pair(scene, {.first = all, .second = all});
+        const chasles::SceneDistance found =
+            chasles::scene::nearest_pair(scene, {.pairs = {.first = all, .second = all}});
         EXPECT_LE(found.nearest.distance.lower, least * (1 + 1e-12));
         EXPECT_GE(found.nearest.distance.upper, least * (1 - 1e-12));
     }

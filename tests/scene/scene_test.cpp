@@ -348,7 +348,7 @@ TEST(Scene, NamesThePairWhoseMotionIsRefused) {
     scene.add({"table", cube});
     scene.add({"thrown", cube, Motion::velocity(far, Pose({0, 0, 0}, Eigen::Quaterniond(2, 1, 0, 0)))});
     for (const std::string& refused : {refusal([&] { (void)scene.first_contact(); }), refusal([&] {
-                                           (void)scene::nearest_pair(scene, {std::vector<std::size_t>{0, 1}});
+                                           (void)scene::nearest_pair(scene, {.pairs = {.first = {0, 1}}});
                                        })}) {
         EXPECT_EQ(refused.substr(0, 7), "scene: ");
         EXPECT_NE(refused.find("thrown"), std::string::npos);

@@ -65,6 +65,10 @@ class ScenePage(PageTest):
         doubt = {"margin": 0.25, "bodies": [{"name": "table", "mesh": "cube.obj"}, sliding]}
         (folder / "doubt.json").write_text(json.dumps(doubt))
         run("scene", "doubt.json", "--page", "doubt_scene.html")
+        rising = {"name": "slider", "mesh": "cube.obj", "pose": [0, 0, 1.5], "goal": [0, 0, 1.9]}
+        between = {"bodies": [{"name": "low", "mesh": "cube.obj"}, {"name": "high", "mesh": "cube.obj", "pose": [0, 0, 3.1]}, rising]}
+        (folder / "between.json").write_text(json.dumps(between))
+        run("scene", "between.json", "--margin", "0.1", "--page", "curve.html", "--curve")
         (folder / "empty.json").write_text('{"bodies": []}')
         run("scene", "empty.json", "--page", "empty.html")
         cloud = "".join(f"{i % 150} {i // 150} -9\n" for i in range(150 * 150))
@@ -92,6 +96,21 @@ class ScenePage(PageTest):
             f"(field => {{ field.value = {json.dumps(text)}; field.dispatchEvent(new Event('input')); }})"
             "(document.getElementById('filter'))"
         )
+
+    def test_the_curve_says_how_far_apart_the_nearest_pair_is(self) -> None:
+        at = lambda time: self.browser.evaluate(f"window.chasles.setTime({time}), document.getElementById('distance-text').textContent")
+        self.open("curve.html")
+        number, pair = r"distance (\S+) to (\S+) ", r" slider and (\S+)"
+        for time, distance, name in [(0, 0.5, "low"), (0.25, 0.6, "low"), (0.75, 0.4, "high"), (1, 0.2, "high")]:
+            lower, upper, fixed = re.fullmatch(number + pair, at(time)).groups()
+            self.assertTrue(float(lower) <= distance + 1e-3 and float(upper) >= distance - 1e-3, (time, lower, upper))
+            self.assertEqual(fixed, name)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#curve path').length"), 2)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#curve .margin').length"), 1)
+        box = "document.getElementById('curve').getBoundingClientRect()"
+        self.assertGreater(self.browser.evaluate(f"{box}.width * {box}.height"), 5000)
+        self.open("first.html")
+        self.assertTrue(self.browser.evaluate("document.getElementById('distance').hidden"))
 
     def test_it_lists_the_contacts_in_order(self) -> None:
         self.open("all.html")

@@ -56,7 +56,7 @@ export function connectControls(player: Player, textOf: (player: Player) => stri
   player.onChange(() => {
     const text = textOf(player);
     slider.value = String(player.time);
-    byId("track").style.setProperty("--now", String(player.partAt(player.time)));
+    byId("timeline").style.setProperty("--now", String(player.partAt(player.time)));
     slider.setAttribute("aria-valuetext", text);
     byId("time-text").textContent = text;
     play.classList.toggle("is-playing", player.isPlaying);

@@ -4,6 +4,7 @@ import { Bodies } from "./bodies";
 import { corners, cornersOnPath } from "./boxes";
 import { currentColours, onColourChange } from "./colours";
 import { connectControls } from "./controls";
+import { connectCurve } from "./curve";
 import { byId, onClick } from "./elements";
 import { Markers } from "./markers";
 import { fillPanel } from "./panel";
@@ -87,5 +88,6 @@ export function startQuery(scene: Scene): { player: Player; draw: () => void } {
   const choose = { contact: (_: number | undefined): void => undefined };
   fillPanel(scene, (index) => choose.contact(index));
   connectControls(player, () => timeText(player, scene.answer.verdict === "clear"));
+  connectCurve(scene.curve, player);
   return { player, draw: () => show(scene, player, choose) };
 }

@@ -1,4 +1,5 @@
 // The data of a page of many bodies, written by view/record_json.cpp.
+import type { Curve } from "./curve";
 import type { Nested, Overlap, PackedBody, PackedMesh, Point } from "./scene";
 import { Track, unpackedNumbers } from "./track";
 
@@ -38,6 +39,7 @@ export interface SceneRecord {
   meshes: PackedMesh[];
   bodies: RecordedBody[];
   events: RecordedContact[]; // in order of time
+  curve?: Curve;
 }
 
 /** The motion of each body, as the page plays it. */

@@ -5,6 +5,7 @@ import { corners, cornersOf, cornersOnPath } from "./boxes";
 import { currentColours, onColourChange } from "./colours";
 import { connectControls, markContact } from "./controls";
 import { Crowd, type Look } from "./crowd";
+import { connectCurve } from "./curve";
 import { byId, element, onClick } from "./elements";
 import { EventList } from "./event_list";
 import { Markers } from "./markers";
@@ -244,6 +245,7 @@ export function startRecord(record: SceneRecord): { player: Player; draw: () => 
   fillRecordPanel(record);
   addTicks(record, player);
   connectControls(player, () => `time ${timeText(player.time)}${isAtEvent() ? ", contact" : ""}`);
+  connectCurve(record.curve, player);
   const list = new EventList(record, timeText, choose);
   onClick("previous", () => list.step(-1));
   onClick("next", () => list.step(1));

@@ -1,4 +1,5 @@
 // The data of the page, written by view/scene_json.cpp.
+import type { Curve } from "./curve";
 
 export type Vector = [number, number, number];
 export type PoseRow = ArrayLike<number>; // x, y, z, qw, qx, qy, qz
@@ -84,6 +85,7 @@ export interface Scene {
   fixed: PackedBody;
   fixed_pose: number[]; // at the time of the contact
   answer: Answer;
+  curve?: Curve;
 }
 
 export function unpacked(text: string): ArrayBuffer {

@@ -1,0 +1,22 @@
+// The distance over time, which a page shows below its slider.
+#pragma once
+
+#include "chasles/query/profile.h"
+#include "view/answer_json.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chasles::view {
+
+struct Curve {
+    DistanceProfile distance;                               ///< with times of the page
+    std::vector<std::pair<std::string, std::string>> pairs; ///< what `distance.nearest` counts; UTF-8
+    std::vector<double> margins;                            ///< drawn as lines
+};
+
+/// The keys are those of viewer/src/curve.ts.
+Json curve_json(const Curve& curve);
+
+} // namespace chasles::view
