@@ -15,6 +15,10 @@ CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds) {
         ->type_name("T");
 }
 
+CLI::Option* add_curve_option(CLI::App& command, bool& wants_curve) {
+    return command.add_flag("--curve", wants_curve, "show the distance over time on the page, below the slider");
+}
+
 void add_search_options(CLI::App& command, QuestionOptions& options) {
     add_seconds_option(command, options.seconds);
     command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")

@@ -34,6 +34,8 @@ struct Bodies {
 };
 
 CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds);
+/// Of commands that write a page.
+CLI::Option* add_curve_option(CLI::App& command, bool& wants_curve);
 /// The options of every search; with those for contacts, but for --hold; and with all.
 void add_search_options(CLI::App& command, QuestionOptions& options);
 void add_batch_query_options(CLI::App& command, QuestionOptions& options);

@@ -2,7 +2,6 @@
 #include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "cli/page_curve.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/robot_pairs.h"
@@ -223,7 +222,7 @@ int run_robot(const RobotCommand& options) {
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)
         write_page(*page, options, question, path, found,
-                   options.wants_curve ? std::optional(curve_of(checker, path, question.options.margin))
+                   options.wants_curve ? std::optional(view::curve_of(checker, path, question.options.margin))
                                        : std::nullopt);
     return status_of(found.verdict);
 }
@@ -281,7 +280,7 @@ void add_robot(CLI::App& app, Task& task) {
             ->excludes(clearance)
             ->excludes(profile)
             ->type_name("FILE");
-    add_curve_option(command, options->wants_curve, page);
+    add_curve_option(command, options->wants_curve)->needs(page);
     command.callback([options, &task] {
         task = [options] {
             require_question_of(options->tolerance, options->finds_clearance || options->finds_profile);

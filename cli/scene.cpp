@@ -3,7 +3,6 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
-#include "cli/page_curve.h"
 #include "cli/profile_report.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
@@ -136,7 +135,7 @@ public:
         record.margin = query.options.margin;
         record.until = query.until;
         if (options_.wants_curve)
-            record.curve = curve_of(scene, query.options.margin);
+            record.curve = view::curve_of(scene, query.options.margin);
         record.title =
             options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
         file_->write(view::scene_page(record));
@@ -270,7 +269,7 @@ void add_scene(CLI::App& app, Task& task) {
     command.add_option("--title", options->title, "title of the page; default: the name of the scene file")
         ->type_name("TEXT")
         ->needs(page);
-    add_curve_option(command, options->wants_curve, page);
+    add_curve_option(command, options->wants_curve)->needs(page);
     command.callback([options, &task] { task = [options] { return run_scene(*options); }; });
 }
 

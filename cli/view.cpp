@@ -2,7 +2,6 @@
 #include "cli/commands.h"
 #include "cli/one_motion.h"
 #include "cli/output.h"
-#include "cli/page_curve.h"
 #include "cli/report.h"
 #include "view/names.h"
 #include "view/page.h"
@@ -36,8 +35,8 @@ int run_view(const ViewOptions& options) {
     std::optional<view::Curve> curve;
     if (options.wants_curve) {
         const Limit limit(question.seconds);
-        curve = curve_of(profile({question.bodies.moving, question.bodies.fixed, question.motion}),
-                         question.options.margin);
+        curve = view::curve_of(profile({question.bodies.moving, question.bodies.fixed, question.motion}),
+                               question.options.margin);
     }
     const std::string moving_name = file_name(options.question.bodies.moving);
     const std::string fixed_name = file_name(options.question.bodies.fixed);

@@ -19,6 +19,7 @@ def write_scene_page(
     out: str | os.PathLike[str] = "page.html",
     *,
     title: str = "Chasles",
+    curve: bool = False,
 ) -> pathlib.Path:
     """Write a page of HTML that shows an answered scene, and return its path. `scene.view(found, out)` is the same.
 
@@ -34,13 +35,15 @@ def write_scene_page(
         The file to write.
     title : str
         The title of the page.
+    curve : bool
+        Whether the page shows the distance over time below the slider. It takes the time of `scene.profile`.
 
     Raises
     ------
     InvalidInput
         If a body of the answer is not in the scene, or if the package was built without the viewer.
     """
-    return _written(_core.scene_page(scene, found, title), out)
+    return _written(_core.scene_page(scene, found, title, curve), out)
 
 
 def recording_page(

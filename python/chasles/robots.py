@@ -130,6 +130,7 @@ def write_robot_page(
     scene: Scene | None = None,
     margin: float = 0.0,
     title: str = "Chasles",
+    curve: bool = False,
 ) -> pathlib.Path:
     """Write a page of HTML that shows the robot on its path up to its first contact, and return the path of the page.
 
@@ -148,13 +149,15 @@ def write_robot_page(
         Distance that counts as contact, mesh unit.
     title : str
         The title of the page.
+    curve : bool
+        Whether the page shows the distance over time below the slider. It takes the time of `robot.profile`.
 
     Raises
     ------
     InvalidInput
         For configurations that cannot be used, or if the package was built without the viewer.
     """
-    page = _core.robot_page(robot, configurations, scene, margin, title)
+    page = _core.robot_page(robot, configurations, scene, margin, title, curve)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")
     return path

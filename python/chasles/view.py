@@ -19,6 +19,7 @@ def view(
     out: str | os.PathLike[str] = "page.html",
     title: str = "Chasles",
     names: tuple[str, str] = ("moving", "fixed"),
+    curve: bool = False,
     **options: Any,
 ) -> FirstContact:
     """Run the query of `first_contact` and write a page of HTML that shows the answer.
@@ -35,6 +36,8 @@ def view(
         The title of the page.
     names : (str, str)
         The names of the moving body and the fixed body.
+    curve : bool
+        Whether the page shows the distance over time below the slider. It takes the time of `profile`.
     **options
         All other arguments of `first_contact`.
 
@@ -48,7 +51,7 @@ def view(
         If `first_contact` raises it, or if the package was built without the viewer.
     """
     found = _core.first_contact(moving, fixed, start, goal, **options)
-    write_page(found, out, title=title, names=names)
+    write_page(found, out, title=title, names=names, curve=curve)
     return found
 
 
@@ -58,14 +61,15 @@ def write_page(
     *,
     title: str = "Chasles",
     names: tuple[str, str] = ("moving", "fixed"),
+    curve: bool = False,
 ) -> pathlib.Path:
     """Write a page of HTML that shows an answer, and return its path. `found.view(out)` is the same.
 
-    The page shows a swapped answer as the query had it.
+    The page shows a swapped answer as the query had it. With `curve`, it shows the distance over time below the slider.
     """
     if found.is_swapped:
         found, names = found.swapped(), (names[1], names[0])
-    page = _core.view_page(found, title, *names)
+    page = _core.view_page(found, title, *names, curve)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")
     return path

@@ -82,7 +82,7 @@ PythonProfile profile_of_scene(const PythonScene& given, double tolerance, doubl
     const ProfileOptions options = options_from(tolerance, absolute_tolerance, margins, time_tolerance);
     SceneProfile answer;
     run_interruptibly([&](Progress&) { answer = given.scene.profile(options); }, nb::none());
-    PythonProfile profile{std::move(answer.distance), {}, std::move(answer.untested)};
+    PythonProfile profile{std::move(answer.distance), {}, given.scene.untested()};
     for (const auto& [moving, fixed] : answer.pairs)
         profile.pairs.emplace_back(given.scene.bodies()[moving].name, given.scene.bodies()[fixed].name);
     return profile;

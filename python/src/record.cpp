@@ -4,6 +4,7 @@
 #include "python/src/bind.h"
 #include "python/src/poses.h"
 #include "python/src/scene.h"
+#include "python/src/signals.h"
 #include "python/src/without_gil.h"
 #include "view/page.h"
 
@@ -38,7 +39,7 @@ const SceneContactAnswer& scene_contact(nb::handle argument) {
 }
 
 /// `found` is what first_contact or all_contacts of the scene has returned.
-std::string scene_page(const PythonScene& scene, nb::handle found, const std::string& title) {
+std::string scene_page(const PythonScene& scene, nb::handle found, const std::string& title, bool curve) {
     const Asking question = scene.asking();
     SceneAnswer answer;
     view::SceneRecord record;
@@ -68,7 +69,10 @@ std::string scene_page(const PythonScene& scene, nb::handle found, const std::st
         scene_contact(found);
     }
     const WithoutGil without_gil;
+    const EndsBySignals ends_by_signals;
     record = view::scene_record(scene.scene, answer, source);
+    if (curve)
+        record.curve = view::curve_of(scene.scene, margin);
     record.title = title;
     record.margin = margin;
     record.clear_until = clear_until;
@@ -169,7 +173,7 @@ std::string recording_page(const std::vector<std::string>& names, nb::list shape
 } // namespace
 
 void bind_record(nb::module_& module) {
-    module.def("scene_page", scene_page, "scene"_a, "found"_a, "title"_a,
+    module.def("scene_page", scene_page, "scene"_a, "found"_a, "title"_a, "curve"_a,
                "A page of HTML in UTF-8 that shows an answered scene. The page needs no network.");
     module.def("recording_page", recording_page, "names"_a, "shapes"_a, "times"_a, "poses"_a, "contacts"_a, "title"_a,
                "A page of HTML in UTF-8 that shows a recording. The page needs no network.");

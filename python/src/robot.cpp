@@ -104,7 +104,7 @@ nb::list proofs_of(const PythonRobot& robot, double seconds, unsigned threads, n
 
 /// A page of HTML that shows the robot on a path up to its first contact.
 std::string page_of(const PythonRobot& robot, nb::handle configurations, nb::handle scene, double margin,
-                    const std::string& title) {
+                    const std::string& title, bool curve) {
     const Asking question = robot.asking();
     const JointPath path = path_from(robot, {configurations, nb::none(), nb::none(), nb::none()});
     const nb::str find("first");
@@ -114,9 +114,13 @@ std::string page_of(const PythonRobot& robot, nb::handle configurations, nb::han
     if (world)
         about_world.emplace(world->use, "scene");
     const RobotAnswer found = asked([&] { return checker.first_contact(path); });
+    std::optional<view::Curve> shown_curve;
+    if (curve)
+        shown_curve = asked([&] { return view::curve_of(checker, path, margin); });
     const WithoutGil without_gil;
     view::SceneRecord record = view::robot_record(robot, world ? &world->scene : nullptr, path, found);
     record.margin = margin;
+    record.curve = std::move(shown_curve);
     record.title = title;
     return view::scene_page(record);
 }
@@ -344,7 +348,7 @@ void bind_robot(nb::module_& module) {
             return fmt::format("<chasles.Robot: {}, {} links, {} variables>", r.description().name,
                                r.description().links.size(), r.variables().size());
         });
-    module.def("robot_page", page_of, "robot"_a, "configurations"_a, "scene"_a.none(), "margin"_a, "title"_a,
+    module.def("robot_page", page_of, "robot"_a, "configurations"_a, "scene"_a.none(), "margin"_a, "title"_a, "curve"_a,
                "A page of HTML in UTF-8 that shows the robot on its way.");
 }
 

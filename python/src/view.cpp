@@ -4,6 +4,7 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
+#include "python/src/signals.h"
 #include "python/src/without_gil.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
@@ -73,40 +74,45 @@ view::SceneRecord record_of(const Answer& answer, const Polyhedron& moving, cons
 }
 
 std::string view_page(const Answer& answer, const std::string& title, const std::string& moving_name,
-                      const std::string& fixed_name) {
+                      const std::string& fixed_name, bool curve) {
     view::require_answer(answer.found.verdict);
     if (answer.moving.is_none())
         throw InvalidInput(
             "view: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all");
     const Motion motion = plain(answer.motion);
     const std::optional<view::MotionNumbers> numbers = shown_numbers(answer.motion);
+    const Polyhedron& moving = nb::cast<const Body&>(answer.moving).polyhedron;
+    const Polyhedron& fixed = nb::cast<const Body&>(answer.fixed).polyhedron;
+    const WithoutGil without_gil;
+    const EndsBySignals ends_by_signals;
+    std::optional<view::Curve> shown_curve;
+    if (curve)
+        shown_curve = view::curve_of(profile({moving, fixed, motion}), answer.margin);
     if (!numbers) {
-        const Polyhedron& moving = nb::cast<const Body&>(answer.moving).polyhedron;
-        const Polyhedron& fixed = nb::cast<const Body&>(answer.fixed).polyhedron;
-        const WithoutGil without_gil;
         view::SceneRecord record = record_of(answer, moving, fixed);
+        record.curve = std::move(shown_curve);
         record.title = title;
         record.bodies[0].name = moving_name;
         record.bodies[1].name = fixed_name;
         return view::scene_page(record);
     }
-    const view::Scene scene{.moving = nb::cast<const Body&>(answer.moving).polyhedron,
-                            .fixed = nb::cast<const Body&>(answer.fixed).polyhedron,
+    const view::Scene scene{.moving = moving,
+                            .fixed = fixed,
                             .motion = motion,
                             .numbers = *numbers,
                             .found = answer.found,
                             .margin = answer.margin,
                             .title = title,
                             .moving_name = moving_name,
-                            .fixed_name = fixed_name};
-    const WithoutGil without_gil;
+                            .fixed_name = fixed_name,
+                            .curve = std::move(shown_curve)};
     return view::page(scene);
 }
 
 } // namespace
 
 void bind_view(nb::module_& module) {
-    module.def("view_page", view_page, "found"_a, "title"_a, "moving_name"_a, "fixed_name"_a,
+    module.def("view_page", view_page, "found"_a, "title"_a, "moving_name"_a, "fixed_name"_a, "curve"_a,
                "A page of HTML in UTF-8 that shows the answer. The page needs no network.");
 }
 

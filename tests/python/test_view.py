@@ -1,11 +1,13 @@
 """Pages and plots exist and contain the answer. The tests in tests/view check how a page looks."""
 
+import base64
 import json
 import os
 import re
 
 import numpy as np
 import pytest
+from cubes import pose
 from motion_kinds import KINDS
 
 import chasles
@@ -48,6 +50,42 @@ def test_view_answers_and_writes_a_page(cube, page):
 def test_an_answer_writes_the_same_page(cube, page, tmp_path):
     found = chasles.view(cube, cube, START, GOAL, out=page)
     assert found.view(tmp_path / "again.html").read_text() == page.read_text()
+
+
+def numbers(text):
+    return np.frombuffer(base64.b64decode(text))
+
+
+@pytest.mark.parametrize("motion", [None, chasles.Motion.hinge([0, 9, 0], [0, 0, 1], [0, 1])])
+def test_a_page_shows_the_curve_of_the_distance(cube, page, motion):
+    ends = () if motion is not None else (START, GOAL)
+    found = chasles.first_contact(cube, cube, *ends, motion=motion, margin=0.25)
+    found.view(page, curve=True)
+    curve = scene_of(page)["curve"]
+    profile = chasles.profile(cube, cube, *ends, motion=motion)
+    for name in ("times", "lower", "upper"):
+        np.testing.assert_array_equal(numbers(curve[name]), getattr(profile, name))
+    assert curve["margins"] == [0.25] and curve["pairs"] == curve["nearest"] == []
+    found.view(page)
+    assert "curve" not in scene_of(page)
+
+
+def test_pages_of_scenes_and_robots_show_curves(cube, page):
+    scene = chasles.Scene()
+    scene.add("post", cube, pose=pose(0, 4, 0))
+    scene.add("cart", cube, pose=pose(-3, 0, 0), goal=pose(3, 0, 0))
+    scene.view(scene.first_contact(), page, curve=True)
+    curve, profile = scene_of(page)["curve"], scene.profile()
+    np.testing.assert_array_equal(numbers(curve["upper"]), profile.upper)
+    assert curve["pairs"] == [["cart", "post"]] and curve["nearest"] == profile.nearest
+    robot = chasles.Robot(
+        links=[{"name": "base"}, {"name": "cube", "collisions": [cube]}],
+        joints=[{"name": "way", "type": "prismatic", "parent": "base", "child": "cube", "axis": [1, 0, 0]}],
+    )
+    chasles.write_robot_page(robot, [[-3], [0], [3]], page, scene=scene, curve=True)
+    curve, profile = scene_of(page)["curve"], robot.profile([[-3], [0], [3]], scene=scene)
+    np.testing.assert_array_equal(numbers(curve["times"]), profile.times)
+    assert [tuple(pair) for pair in curve["pairs"]] == profile.pairs
 
 
 def test_a_swapped_answer_writes_the_same_page(cube, page, tmp_path):
