@@ -101,7 +101,7 @@ class ScenePage(PageTest):
         at = lambda time: self.browser.evaluate(f"window.chasles.setTime({time}), document.getElementById('distance-text').textContent")
         self.open("curve.html")
         number, pair = r"distance (\S+) to (\S+) ", r" slider and (\S+)"
-        for time, distance, name in [(0, 0.5, "low"), (0.25, 0.6, "low"), (0.75, 0.4, "high"), (1, 0.2, "high")]:
+        for time, distance, name in [(0, 0.5, "low"), (0.1, 0.54, "low"), (0.25, 0.5, "high"), (1, 0.2, "high")]:
             lower, upper, fixed = re.fullmatch(number + pair, at(time)).groups()
             self.assertTrue(float(lower) <= distance + 1e-3 and float(upper) >= distance - 1e-3, (time, lower, upper))
             self.assertEqual(fixed, name)
