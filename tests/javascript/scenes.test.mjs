@@ -101,7 +101,7 @@ test("a scene names the two bodies that are nearest, and when", () => {
   assert.equal(scene.leastDistance(), null);
   assert.deepEqual(Array.from(scene.profile().lower), [Infinity, Infinity]);
   scene.add("left", cube, { pose: [-6, 0, 0] });
-  scene.add("right", cube, { pose: [6.5, 0, 0] });
+  scene.add("right", cube, { pose: [6.25, 0, 0] });
   scene.add("cart", cube, { pose: [-2, 0, 0], goal: [2, 0, 0] });
   const near = scene.leastDistance();
   assert.deepEqual([near.pair, near.certain, near.untested.pairs], [["cart", "left"], true, 1]);
@@ -110,8 +110,8 @@ test("a scene names the two bodies that are nearest, and when", () => {
   assert.deepEqual([profile.pairs, profile.nearest[0], profile.nearest.at(-1)], [[["cart", "left"], ["cart", "right"]], 0, 1]);
   assert.equal(profile.nearest.length, profile.times.length - 1);
   for (let i = 0; i <= 300; ++i) {
-    const time = i / 300, step = stepAt(profile, time), distance = Math.min(2 + 4 * time, 6.5 - 4 * time);
+    const time = i / 300, step = stepAt(profile, time), distance = Math.min(2 + 4 * time, 6.25 - 4 * time);
     assert.ok(profile.lower[step] <= distance + 1e-12 && profile.upper[step] >= distance - 1e-12);
   }
-  assert.ok(Math.abs(profile.zones[0].inside[0][1] - 0.125) < 2e-6 && Math.abs(profile.zones[0].inside[1][0] - 1) < 2e-6);
+  assert.ok(Math.abs(profile.zones[0].inside[0][1] - 0.125) < 2e-6 && Math.abs(profile.zones[0].inside[1][0] - 0.9375) < 2e-6);
 });

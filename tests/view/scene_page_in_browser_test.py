@@ -109,8 +109,10 @@ class ScenePage(PageTest):
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('#curve .margin').length"), 1)
         box = "document.getElementById('curve').getBoundingClientRect()"
         self.assertGreater(self.browser.evaluate(f"{box}.width * {box}.height"), 5000)
+
+    def test_a_page_without_a_curve_has_no_room_for_it(self) -> None:
         self.open("first.html")
-        self.assertTrue(self.browser.evaluate("document.getElementById('distance').hidden"))
+        self.assertEqual(self.browser.evaluate("document.getElementById('distance').getBoundingClientRect().height"), 0)
 
     def test_it_lists_the_contacts_in_order(self) -> None:
         self.open("all.html")
