@@ -86,7 +86,7 @@ DistanceGradient least_distance_gradient(const LeastDistanceQuery& query, const 
     for (const Witness& witness : witnesses.all)
         gradients.emplace_back(steps.gradient_of(witness));
     result.by_goal = gradients.front();
-    result.isolated = witnesses.are_all && query::all_agree(gradients) && !is_near_half_turn(*same);
+    result.isolated = witnesses.are_all && query::all_agree(gradients, witnesses.all.front().on_moving.norm()) && !is_near_half_turn(*same);
     return result;
 }
 

@@ -78,7 +78,10 @@ WitnessSearch::WitnessSearch(const WitnessQuery& query) : query_(query) {
     }
 }
 
+/// Exact at both ends of the motion.
 double WitnessSearch::time_at(std::size_t piece, double tau) const {
+    if ((piece == 0 && tau == 0) || (piece + 1 == pieces_.size() && tau == 1))
+        return tau;
     return std::clamp(pieces_[piece].piece().time_of({tau, tau}).lower, 0.0, 1.0);
 }
 

@@ -74,6 +74,8 @@ public:
         }
     }
 
+    /// Whether joints move the elements against each other.
+    [[nodiscard]] bool is_any() const { return !variables_.empty() || !quaternions_.empty(); }
     [[nodiscard]] Eigen::VectorXd gradient_of(std::size_t segment, const Witness& witness) const {
         const auto knots = Eigen::Index(path_.segments().size()) + 1;
         Eigen::MatrixXd by_knots = Eigen::MatrixXd::Zero(knots, Eigen::Index(prepared_.model().variables.size()));
@@ -177,6 +179,7 @@ private:
     double radii_;
     std::vector<std::size_t> searched_; ///< segments, of the pair
     double level_ = 0;                  ///< of the surfaces
+    double lever_ = 0;                  ///< of turns
     bool are_all_ = true;
     bool is_at_start_ = false, is_at_end_ = false; ///< of the segment: some witness is at this knot
     std::vector<Eigen::VectorXd> gradients_;
@@ -192,7 +195,8 @@ void GradientSearch::add(std::size_t segment, double time) {
         is_at_start_ = is_at_start_ || (segment == segment_ && witness.time == 0);
         is_at_end_ = is_at_end_ || (segment == segment_ && witness.time == 1);
     }
-    are_all_ = are_all_ && found.are_all;
+    are_all_ = are_all_ && (found.are_all || !steps_.is_any()); // without joints all have the gradient 0
+    lever_ = std::max(lever_, found.all.front().on_moving.norm());
     if (searched_.empty())
         level_ = std::max(0.0, found.level - radii_);
     searched_.push_back(segment);
@@ -216,7 +220,7 @@ bool GradientSearch::is_alone() const {
 
 bool GradientSearch::is_alone_in(std::size_t segment) const {
     const SegmentPairs pairs(prepared_, path_, segment);
-    const bool is_searched = std::ranges::find(searched_, segment) != searched_.end();
+    const bool is_searched = !steps_.is_any() || std::ranges::find(searched_, segment) != searched_.end();
     const QueryOptions options{.margin = std::min(level_, Pose::largest_length), .find = Find::any};
     return std::ranges::all_of(near_tasks(prepared_, pairs.motion(), options.margin), [&](const Task& task) {
         if (is_searched && is_same_pair(task, task_))
@@ -232,7 +236,7 @@ RobotGradient GradientSearch::run() {
         gradients_.front().reshaped(Eigen::Index(path_.segments().size()) + 1, path_.segments()[0].coefficients.cols());
     try {
         look_beside_knots();
-        result.isolated = are_all_ && query::all_agree(gradients_) && is_alone();
+        result.isolated = are_all_ && query::all_agree(gradients_, lever_) && is_alone();
     } catch (const Cancelled&) { // what is left may be as near
     }
     return result;

