@@ -43,13 +43,13 @@ DistanceGradient gradient_of(const LeastAnswer& answer) {
     return answer.gradient.get([&] { return least_distance_gradient({moving, fixed, motion}, answer.found); });
 }
 
-nb::object array_of(const std::optional<DistanceGradient::Vector>& gradient) {
+nb::object numbers_of(const std::optional<DistanceGradient::Vector>& gradient) {
     return gradient ? array_of(std::span(gradient->data(), 6), {6}) : nb::none();
 }
 
 void bind_gradient(nb::class_<LeastAnswer>& type) {
     type.def_prop_ro(
-            "gradient", [](const LeastAnswer& a) { return array_of(gradient_of(a).by_goal); },
+            "gradient", [](const LeastAnswer& a) { return numbers_of(gradient_of(a).by_goal); },
             nb::sig("def gradient(self) -> " CHASLES_ARRAY " | None"),
             "The derivatives of the least distance by the goal pose of the moving body, shape (6,): by v, then by w "
             "(mesh unit per\nradian), where the goal (R, p) in the world becomes (exp(w) R, p + v). So v translates "

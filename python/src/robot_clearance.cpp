@@ -50,7 +50,7 @@ RobotGradient gradient_of(const PythonClearance& c) {
 }
 
 /// Rows of knots.
-nb::object array_of(const Eigen::MatrixXd& by_knots) {
+nb::object rows_of(const Eigen::MatrixXd& by_knots) {
     if (by_knots.size() == 0)
         return nb::none();
     const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = by_knots;
@@ -60,7 +60,7 @@ nb::object array_of(const Eigen::MatrixXd& by_knots) {
 
 void bind_gradient(nb::class_<PythonClearance>& type) {
     type.def_prop_ro(
-            "gradient", [](const PythonClearance& c) { return array_of(gradient_of(c).by_knots); },
+            "gradient", [](const PythonClearance& c) { return rows_of(gradient_of(c).by_knots); },
             nb::sig("def gradient(self) -> " CHASLES_ARRAY " | None"),
             "The derivatives of the least distance by the configurations of the path, shape (knots, variables); of an "
             "edge (2, variables),\nso that gradient[-1] is that of the goal. Mesh unit per radian, or per mesh unit. "
