@@ -37,9 +37,8 @@ public:
         Vector gradient;
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
-            gradient[i] = rate(witness, translation_step(), [&](double step) {
-                return Pose(goal_.translation + step * axis, goal_.rotation);
-            });
+            gradient[i] = rate(witness, translation_step(),
+                               [&](double step) { return Pose(goal_.translation + step * axis, goal_.rotation); });
             gradient[3 + i] = rate(witness, turn_step, [&](double step) {
                 return Pose(goal_.translation, Eigen::AngleAxisd(step, axis) * goal_.rotation);
             });
@@ -86,7 +85,8 @@ DistanceGradient least_distance_gradient(const LeastDistanceQuery& query, const 
     for (const Witness& witness : witnesses.all)
         gradients.emplace_back(steps.gradient_of(witness));
     result.by_goal = gradients.front();
-    result.isolated = witnesses.are_all && query::all_agree(gradients, witnesses.all.front().on_moving.norm()) && !is_near_half_turn(*same);
+    result.isolated = witnesses.are_all && query::all_agree(gradients, witnesses.all.front().on_moving.norm()) &&
+                      !is_near_half_turn(*same);
     return result;
 }
 

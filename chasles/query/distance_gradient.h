@@ -12,8 +12,8 @@ struct [[nodiscard]] DistanceGradient {
     using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
     /// Of the goal (R, p) in the world, the neighbours are (exp(w) R, p + v): v translates it, and the rotation vector
-    /// w, in radians and in the world, turns it about the origin of the body. The entries are the derivatives by v, then
-    /// by w (mesh unit per radian). Empty where the bodies touch.
+    /// w, in radians and in the world, turns it about the origin of the body. The entries are the derivatives by v,
+    /// then by w (mesh unit per radian). Empty where the bodies touch.
     std::optional<Vector> by_goal;
     /// Whether the least distance has this gradient: one pair of points is nearest at one time, or all that are have
     /// the same gradient. False, too, where that cannot be told: where others come as near up to a part of 1e-9, where

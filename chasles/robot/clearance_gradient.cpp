@@ -148,7 +148,7 @@ private:
     const Prepared& prepared_;
     const JointPath& path_;
     const Element& moving_;
-    const Element* fixed_; ///< null if it is no part of the robot
+    const Element* fixed_;              ///< null if it is no part of the robot
     std::set<std::size_t> variables_;   ///< that move the elements against each other
     std::set<std::size_t> quaternions_; ///< the first variable of each
 };

@@ -25,7 +25,9 @@ public:
     [[nodiscard]] double best() const { return best_; }
     [[nodiscard]] double least() const { return least_; }
 
-    [[nodiscard]] double distance_at(double tau) { return nearest_.points(bodies_at(context_, tau), features_).distance; }
+    [[nodiscard]] double distance_at(double tau) {
+        return nearest_.points(bodies_at(context_, tau), features_).distance;
+    }
     /// Half the rate of the square of the distance. For bodies that pass each other it is nearly linear in tau.
     double rate_at(double tau) {
         const contact::RelativeConfiguration bodies = bodies_at(context_, tau);
@@ -55,9 +57,9 @@ using NoErrors =
 Bracket zero_between(Approach& approach, const Bracket& taus, double rate_at_lower, double rate_at_upper, int bits,
                      std::uintmax_t most) {
     const auto rate_at = [&](double time) { return approach.rate_at(time); };
-    const auto [lower, upper] = boost::math::tools::toms748_solve(
-        rate_at, taus.lower, taus.upper, rate_at_lower, rate_at_upper, boost::math::tools::eps_tolerance<double>(bits),
-        most, NoErrors());
+    const auto [lower, upper] =
+        boost::math::tools::toms748_solve(rate_at, taus.lower, taus.upper, rate_at_lower, rate_at_upper,
+                                          boost::math::tools::eps_tolerance<double>(bits), most, NoErrors());
     return {lower, upper};
 }
 

@@ -50,7 +50,7 @@ assert true.first_contact_on_path(first).verdict == "contact"
 # %% [markdown]
 # ## One row for each edge
 # Each edge that is too near to something is one linear condition on its two knots: its gradient times the step is what it
-# lacks. The least step that satisfies all of them is a least-squares problem, as is that for a short path.
+# lacks. The least step that satisfies all of them is a problem of least squares.
 
 # %%
 MARGIN, ROOM = 0.02, 0.005  # wanted, and what an edge may have more before it counts
@@ -110,9 +110,9 @@ if len(sys.argv) > 1:
         above.plot(*np.array(hand).T, label=f"hand {label}")
     above.add_patch(plt.Circle(POLE[:2], RADIUS, color="0.6", label="pole"))
     above.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
-    above.legend()
+    above.legend(loc="center left", bbox_to_anchor=(1, 0.9))
     right.plot(np.array(history) * 1000, marker="o")
     right.axhline(0, color="0.6")
-    right.set(xlabel="step", ylabel="clearance [mm]")
+    right.set(xlabel="step", ylabel="clearance [mm]", xticks=range(len(history)))
     figure.tight_layout()
     figure.savefig(sys.argv[1], dpi=120)

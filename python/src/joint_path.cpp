@@ -142,8 +142,9 @@ void set_state(JointPath& path, const nb::tuple& state) {
     std::vector<std::size_t> quaternions;
     int knots = 0;
     constexpr int last_kind = int(JointPath::Knots::natural_spline);
-    if (state.size() != 4 || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) ||
-        !nb::try_cast(state[2], names) || !nb::try_cast(state[3], knots) || list.size() == 0)
+    const bool is_older = state.size() == 3; // before paths knew their knots
+    if ((!is_older && state.size() != 4) || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) ||
+        !nb::try_cast(state[2], names) || (!is_older && !nb::try_cast(state[3], knots)) || list.size() == 0)
         refuse_state("it has segments, floating joints, variables and a kind of knots");
     if (knots < 0 || knots > last_kind)
         refuse_state("there is no such kind of knots");
@@ -162,8 +163,8 @@ void set_state(JointPath& path, const nb::tuple& state) {
     JointPath::Variables of_robot = variables_from(names);
     if (of_robot && of_robot->size() != variables)
         refuse_state("there are other variables than numbers of a configuration");
-    new (&path) JointPath(JointPath::of_parts(std::move(segments), std::move(quaternions), std::move(of_robot),
-                                                   JointPath::Knots(knots)));
+    new (&path) JointPath(
+        JointPath::of_parts(std::move(segments), std::move(quaternions), std::move(of_robot), JointPath::Knots(knots)));
 }
 
 nb::object at(const JointPath& path, double time) {

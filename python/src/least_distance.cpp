@@ -57,8 +57,7 @@ void bind_gradient(nb::class_<LeastAnswer>& type) {
             "It is that of this minimum only if `isolated`.\nComputed in double on the first use. A swapped answer has "
             "the gradient of the query.\n\nRaises\n------\nInvalidInput\n    If the motion has no goal pose.")
         .def_prop_ro(
-            "isolated", [](const LeastAnswer& a) { return gradient_of(a).isolated; },
-            doc("DistanceGradient.isolated"));
+            "isolated", [](const LeastAnswer& a) { return gradient_of(a).isolated; }, doc("DistanceGradient.isolated"));
 }
 
 /// "0.25 at time 0.5, vertex 0 on face 4"

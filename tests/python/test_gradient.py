@@ -1,5 +1,7 @@
 """Gradients of least distances: by the goal of a motion, and by the knots of a path of a robot."""
 
+import pickle
+
 import numpy as np
 import pytest
 from conftest import ROOT
@@ -99,7 +101,8 @@ def test_the_gradient_of_a_path_has_a_row_for_each_knot(checker):
     outside = [k for k in range(4) if k not in (near.segment, near.segment + 1)]
     assert (near.gradient[outside] == 0).all()
     spline = chasles.JointPath.natural_spline(checker.robot, [0, 1, 2, 3], knots)
-    assert checker.least_distance_on_path(spline).gradient.shape == (4, 4)
+    again = pickle.loads(pickle.dumps(spline))
+    assert (checker.least_distance_on_path(again).gradient == checker.least_distance_on_path(spline).gradient).all()
     assert np.count_nonzero(np.linalg.norm(checker.least_distance_on_path(spline).gradient, axis=1)) == 4
 
 

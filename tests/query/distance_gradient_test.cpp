@@ -11,7 +11,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace chasles::test {
+namespace chasles::test::of_gradients { // names of its own in a batch of sources
 namespace {
 
 using Vector = DistanceGradient::Vector;
@@ -45,8 +45,7 @@ Vector difference(const Question& question, double step) {
     for (int i = 0; i < 6; ++i) {
         double distances[2];
         for (const int side : {0, 1}) {
-            const LeastDistance found =
-                question.answer(stepped(question.goal, i, side == 0 ? -step : step), 1e-9);
+            const LeastDistance found = question.answer(stepped(question.goal, i, side == 0 ? -step : step), 1e-9);
             EXPECT_LE(found.distance.upper - found.distance.lower, 1e-9 * found.distance.upper + 1e-10);
             distances[side] = found.distance.upper;
         }
@@ -81,13 +80,9 @@ MotionTo random_motion(Random& random, const Pose& start) {
     case 3:
         return [=](const Pose& goal) { return Motion::twist(start, goal); };
     case 4:
-        return [=](const Pose& goal) -> Motion {
-            return ScrewMotion::relative(start, goal, fixed_start, fixed_goal);
-        };
+        return [=](const Pose& goal) -> Motion { return ScrewMotion::relative(start, goal, fixed_start, fixed_goal); };
     case 5:
-        return [=](const Pose& goal) -> Motion {
-            return SweepMotion::relative(start, goal, fixed_start, fixed_goal);
-        };
+        return [=](const Pose& goal) -> Motion { return SweepMotion::relative(start, goal, fixed_start, fixed_goal); };
     default:
         return [=](const Pose& goal) {
             return relative(Motion::twist(start, goal), Motion::hinge(centre, {1, 2, 3}, {0, 1, -0.5}));
@@ -108,8 +103,8 @@ TEST(DistanceGradient, AgreesWithDifferencesOfBrackets) {
         Pose goal = random_goal(random, start, turns ? random.uniform(0, 2.5) : 0, 4);
         if (random.chance(0.8)) // past the other body
             goal.translation -= 2 * start.translation;
-        const Question question{random_body(random, shapes), random_body(random, shapes),
-                                random_motion(random, start), goal};
+        const Question question{random_body(random, shapes), random_body(random, shapes), random_motion(random, start),
+                                goal};
         if (question.answer(goal, 1e-3).distance.upper < 0.01)
             continue; // it touches, or nearly
         ++asked;
@@ -169,8 +164,7 @@ TEST(DistanceGradient, IsTheShareOfTheGoalAtThatTime) {
     // The nearest point of the edge x = z = 0.5 to the line of the centre.
     const Eigen::Vector3d along = goal.translation - start.translation;
     const double time = (Eigen::Vector3d(0.5, 0, 0.5) - start.translation).dot(along) / along.squaredNorm();
-    const Eigen::Vector3d normal =
-        (start.translation + time * along - Eigen::Vector3d(0.5, 0, 0.5)).normalized();
+    const Eigen::Vector3d normal = (start.translation + time * along - Eigen::Vector3d(0.5, 0, 0.5)).normalized();
     expect_gradient(question.gradient(), vector_of(time * normal.x(), 0, time * normal.z(), 0, 0, 0));
 }
 
@@ -179,8 +173,7 @@ TEST(DistanceGradient, OfAStraightTwistKnowsThatItBends) {
     const Pose start = shifted(-3, 0, 3), goal = shifted(3, 0, 0.5);
     const Eigen::Vector3d along = goal.translation - start.translation;
     const double time = (Eigen::Vector3d(0.5, 0, 0.5) - start.translation).dot(along) / along.squaredNorm();
-    const Eigen::Vector3d normal =
-        (start.translation + time * along - Eigen::Vector3d(0.5, 0, 0.5)).normalized();
+    const Eigen::Vector3d normal = (start.translation + time * along - Eigen::Vector3d(0.5, 0, 0.5)).normalized();
     const Eigen::Vector3d by_turn = 0.5 * (time * time - time) * along.cross(normal);
     const MotionTo alone = [&](const Pose& to) { return Motion::twist(start, to); };
     const MotionTo seen = [&](const Pose& to) { return relative(Motion::twist(start, to), Motion::at_rest({})); };
@@ -192,7 +185,8 @@ TEST(DistanceGradient, OfAStraightTwistKnowsThatItBends) {
 
 /// At the start the goal has no effect.
 TEST(DistanceGradient, IsZeroWhereTheStartIsNearest) {
-    expect_gradient(Question{make_sphere(0.5), cube(), [](const Pose& to) { return Motion::twist(shifted(0, 0, 2), to); },
+    expect_gradient(Question{make_sphere(0.5), cube(),
+                             [](const Pose& to) { return Motion::twist(shifted(0, 0, 2), to); },
                              turned({0, 1, 5}, {1, 2, 3}, 1)}
                         .gradient(),
                     Vector::Zero());
@@ -292,4 +286,4 @@ TEST(DistanceGradient, IsNotIsolatedAtALimit) {
 }
 
 } // namespace
-} // namespace chasles::test
+} // namespace chasles::test::of_gradients

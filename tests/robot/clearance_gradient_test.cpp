@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace chasles::test {
+namespace chasles::test::of_gradients { // names of its own in a batch of sources
 namespace {
 
 using Knots = JointPath::Knots;
@@ -40,8 +40,8 @@ struct PathThrough {
 PathThrough random_path(Random& random, const Robot& robot, Eigen::Index knots, bool has_quaternion) {
     PathThrough through;
     const int last = has_quaternion ? 0 : 3;
-    through.kind =
-        std::array{Knots::straight, Knots::cubic, Knots::quintic, Knots::natural_spline}[std::size_t(random.integer(0, last))];
+    through.kind = std::array{Knots::straight, Knots::cubic, Knots::quintic,
+                              Knots::natural_spline}[std::size_t(random.integer(0, last))];
     through.times = {random.uniform(-1, 1)};
     for (Eigen::Index k = 0; k < knots; ++k) {
         if (k > 0)
@@ -57,7 +57,8 @@ Eigen::MatrixXd random_knots(Random& random, const Robot& robot, Eigen::Index co
     Eigen::MatrixXd knots(count, Eigen::Index(robot.variables().size()));
     knots.row(0) = random_configuration(random, robot, 2).transpose();
     for (Eigen::Index k = 1; k < count; ++k)
-        knots.row(k) = knots.row(k - 1) + random.uniform(0.05, 0.4) * random_configuration(random, robot, 1).transpose();
+        knots.row(k) =
+            knots.row(k - 1) + random.uniform(0.05, 0.4) * random_configuration(random, robot, 1).transpose();
     return knots;
 }
 
@@ -122,7 +123,8 @@ TEST(RobotGradient, AgreesWithDifferencesOfBrackets) {
         }
     }
     std::cout << isolated << " of " << asked << " isolated, " << large << " not near 0, " << with_quaternion
-              << " with a floating joint, " << at_inner_knots << " at inner knots, worst relative error " << worst << "\n";
+              << " with a floating joint, " << at_inner_knots << " at inner knots, worst relative error " << worst
+              << "\n";
     EXPECT_GT(isolated, 0.85 * asked);
     EXPECT_GT(large, 0.5 * asked);
     EXPECT_GT(with_quaternion, 10);
@@ -182,9 +184,9 @@ TEST(RobotGradient, OfTwoPairsIsNotIsolated) {
     scene.add({"right", box({0.1, 9, 9}).polyhedron(), Motion::at_rest(shifted(3, 0, 0))});
     const RobotChecker checker(Robot(robot), &scene);
     for (const double goal : {1.5, 1.5 + 1e-6}) {
-        const JointPath path =
-            PathThrough{.times = {0, 1}}.path(checker.robot(), column({-1.5, goal}));
-        const RobotGradient found = checker.least_distance_gradient(path, checker.least_distance(path, {.tolerance = 1e-9}));
+        const JointPath path = PathThrough{.times = {0, 1}}.path(checker.robot(), column({-1.5, goal}));
+        const RobotGradient found =
+            checker.least_distance_gradient(path, checker.least_distance(path, {.tolerance = 1e-9}));
         EXPECT_EQ(found.isolated, goal > 1.5);
         EXPECT_NEAR(found.by_knots.norm(), 1, 1e-9);
     }
@@ -241,4 +243,4 @@ TEST(KnotWeights, AreTheDerivativesOfThePath) {
 }
 
 } // namespace
-} // namespace chasles::test
+} // namespace chasles::test::of_gradients
