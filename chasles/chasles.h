@@ -13,6 +13,7 @@
 #include "chasles/motion/pose.h"
 #include "chasles/motion/timed_poses.h"
 #include "chasles/query/batch.h"
+#include "chasles/query/distance_gradient.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"

@@ -23,7 +23,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
          "memory/pair_memory.h"],
     ),
     "paths-and-batches": ("Paths, batches and limits", ["query/path.h", "query/batch.h", "base/limit.h"]),
-    "least-distance": ("The least distance, and the distance over time", ["query/least_distance.h", "query/profile.h"]),
+    "least-distance": ("The least distance, and the distance over time", ["query/least_distance.h", "query/distance_gradient.h", "query/profile.h"]),
     "scenes": ("Scenes", ["scene/scene.h", "scene/untested_pairs.h", "scene/stepper.h"]),
     "dragged-bodies": (
         "Dragged bodies",

@@ -37,6 +37,9 @@ public:
     [[nodiscard]] virtual std::unique_ptr<const AnyPiece> at(std::size_t index) const = 0;
 };
 
+class AnyTrajectory;
+using SharedTrajectory = std::shared_ptr<const AnyTrajectory>;
+
 class AnyTrajectory {
 public:
     virtual ~AnyTrajectory() = default;
@@ -53,6 +56,9 @@ public:
     [[nodiscard]] virtual double size() const = 0;
     /// The ends of a motion in the world that is straight and even, without a turn; null for others.
     [[nodiscard]] virtual const MotionEnds* straight_ends() const = 0;
+    /// The motion of the same kind to another goal, whose `pose_at` is the moving body in the world; null if the motion
+    /// has no goal. A screw keeps the number of its pieces.
+    [[nodiscard]] virtual SharedTrajectory with_goal(const Pose& goal_in_world) const = 0;
 };
 
 /// A piece of a known type as AnyPiece.
@@ -126,6 +132,12 @@ public:
     [[nodiscard]] const MotionEnds* straight_ends() const override {
         if constexpr (requires { trajectory_.straight_ends(); })
             return trajectory_.straight_ends();
+        else
+            return nullptr;
+    }
+    [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const override {
+        if constexpr (requires { trajectory_.with_goal(goal_in_world); })
+            return trajectory_.with_goal(goal_in_world);
         else
             return nullptr;
     }

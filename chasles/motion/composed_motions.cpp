@@ -7,6 +7,7 @@
 #include "chasles/motion/motion.h"
 #include "chasles/motion/own_frame.h"
 #include "chasles/motion/splines.h"
+#include "chasles/motion/sweep_trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +26,17 @@ void require(bool holds, const std::string& what) {
         throw InvalidInput("motion: " + what);
 }
 
-Motion motion_of(SmoothMotion motion) {
+motion::SmoothTrajectory smooth(SmoothMotion motion) {
     constexpr int most_factors = 1000; // the depth of calls, and the cost of one pose
     require(motion.relative->factors() <= most_factors,
             "is made of more than 1000 motions, which are all evaluated for every pose: multiply the poses of factors "
             "that stand still, or ask about a path of poses");
-    return Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(
-        motion::SmoothTrajectory(std::move(motion))));
+    return motion::SmoothTrajectory(std::move(motion));
+}
+
+Motion motion_of(SmoothMotion motion) {
+    return Motion(
+        std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(smooth(std::move(motion))));
 }
 
 /// Numbers that are finite, and whose sizes sum up to at most `most`.
@@ -112,15 +117,40 @@ Motion operator*(const Motion& outer, const Motion& inner) {
         SmoothMotion::of_one(motion::product_frame(frame_of(outer, "product"), frame_of(inner, "product"))));
 }
 
+namespace {
+
+/// A trajectory of two moving bodies that knows how the moving one moves.
+template <class Trajectory>
+class OfTwo : public Trajectory {
+public:
+    OfTwo(Trajectory trajectory, Motion moving) : Trajectory(std::move(trajectory)), moving_(std::move(moving)) {}
+    [[nodiscard]] motion::SharedTrajectory with_goal(const Pose& goal_in_world) const {
+        return moving_.trajectory().with_goal(goal_in_world);
+    }
+
+private:
+    Motion moving_;
+};
+
+template <class Trajectory>
+Motion of_two(Trajectory trajectory, const Motion& moving) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<OfTwo<Trajectory>>>(
+        OfTwo<Trajectory>(std::move(trajectory), moving)));
+}
+
+} // namespace
+
 /// Two motions that are straight and even make a sweep, which is exact.
 Motion relative(const Motion& moving, const Motion& fixed) {
     const motion::MotionEnds* a = moving.trajectory().straight_ends();
     const motion::MotionEnds* b = fixed.trajectory().straight_ends();
     if (a && b)
-        return SweepMotion::relative(a->start, a->goal, b->start, b->goal);
+        return of_two(motion::SweepTrajectory(motion::MotionEnds::relative(a->start, a->goal, b->start, b->goal),
+                                              Eigen::Vector3d::Zero()),
+                      moving);
     const SharedFrame of_moving = frame_of(moving, "relative");
     const SharedFrame of_fixed = frame_of(fixed, "relative");
-    return motion_of({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed});
+    return of_two(smooth({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed}), moving);
 }
 
 Motion rest_of(const Motion& motion, double start) {

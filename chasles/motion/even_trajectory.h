@@ -119,6 +119,7 @@ public:
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part = 0) const;
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] static Pose fixed_pose_at(double /*time*/) { return {}; }
+    [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
 
 private:
     [[nodiscard]] EvenMotion<double> numbers() const;

@@ -147,16 +147,25 @@ Pose SweepMotion::pose_at(double time) const {
 
 namespace {
 
-/// A sweep that does not turn, which is also an even motion.
+/// A sweep that does not turn, which is also an even motion, or a body at rest, which has no kind.
 class StraightTrajectory : public SweepTrajectory {
 public:
-    using SweepTrajectory::SweepTrajectory;
+    StraightTrajectory(const MotionEnds& ends, const Eigen::Vector3d& centre,
+                       std::optional<EvenTrajectory::Kind> kind = {})
+        : SweepTrajectory(ends, centre), kind_(kind) {}
     [[nodiscard]] motion::SharedFrame frame() const {
         return ends().start.translation == ends().goal.translation
                    ? motion::frame_at_rest(ends().start)
                    : motion::velocity_frame(ends().start, ends().goal, centre());
     }
     [[nodiscard]] const MotionEnds* straight_ends() const { return &ends(); }
+    /// To a goal that is turned it is no sweep.
+    [[nodiscard]] motion::SharedTrajectory with_goal(const Pose& goal_in_world) const {
+        return kind_ ? EvenTrajectory(*kind_, ends(), centre()).with_goal(goal_in_world) : nullptr;
+    }
+
+private:
+    std::optional<EvenTrajectory::Kind> kind_;
 };
 
 /// Without a turn it is a sweep, which is exact. Only a quick test tells, as most motions turn.
@@ -165,7 +174,7 @@ Motion even_motion(EvenTrajectory::Kind kind, const MotionEnds& ends, const Eige
     const auto turn = turn_between(motion::pose_in<double>(ends.start), motion::pose_in<double>(ends.goal));
     const bool may_not_turn = norm1(turn.v) <= 0x1p-40 * turn.w;
     if (may_not_turn && !(0 < double(motion::EvenFrame::turn_between(ends.start, ends.goal).angle)))
-        return erased(StraightTrajectory(ends, centre));
+        return erased(StraightTrajectory(ends, centre, kind));
     return erased(trajectory);
 }
 

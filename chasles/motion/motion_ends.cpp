@@ -49,6 +49,13 @@ Pose MotionEnds::fixed_pose_at(double time) const {
     return screw_pose(exact(fixed->start), exact(fixed->goal), {time, time});
 }
 
+MotionEnds MotionEnds::with_goal(const Pose& goal_in_world) const {
+    MotionEnds ends = *this;
+    ends.goal = checked(goal_in_world);
+    ends.goal_is_in_world = bool(ends.fixed);
+    return ends;
+}
+
 Pose MotionEnds::pose_at_end(double time) const {
     const Pose& pose = time <= 0 ? start : goal;
     if (!fixed)

@@ -54,6 +54,9 @@ struct MotionEnds {
     /// The fixed body in the world, along its own screw with uniform turn and slide.
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
+    /// The same with another goal of the moving body.
+    [[nodiscard]] MotionEnds with_goal(const Pose& goal_in_world) const;
+
     /// The moving body in the world at time 0 or before, or at time 1 or after.
     [[nodiscard]] Pose pose_at_end(double time) const;
 

@@ -96,6 +96,15 @@ Pose ScrewTrajectory::uncut_pose_at(double time) const {
                               : ScrewTrajectory(ends_, std::numbers::pi).pose_at(time);
 }
 
+/// The middle of the largest turns of a piece that give so many pieces.
+SharedTrajectory ScrewTrajectory::with_goal(const Pose& goal_in_world) const {
+    const std::size_t pieces = clock().piece_count(max_turn_);
+    ScrewTrajectory other(ends_.with_goal(goal_in_world), max_turn_);
+    if (const ScrewClock turn = other.clock(); turn.piece_count(max_turn_) != pieces)
+        other.max_turn_ = std::min(turn.angle() / (double(pieces) - 0.5), std::numbers::pi);
+    return std::make_shared<const ErasedTrajectory<ScrewTrajectory>>(std::move(other));
+}
+
 ScrewNumbers ScrewTrajectory::numbers() const {
     const RelativeEnds ends(ends_);
     return ScrewPath(ends.start, ends.goal).numbers();

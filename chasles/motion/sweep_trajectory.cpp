@@ -46,6 +46,11 @@ Pose SweepPiece::pose_at(double tau) const {
 SweepTrajectory::SweepTrajectory(const MotionEnds& ends, const Eigen::Vector3d& centre)
     : ends_(ends), centre_(checked_centre(centre)) {}
 
+SharedTrajectory SweepTrajectory::with_goal(const Pose& goal_in_world) const {
+    return std::make_shared<const ErasedTrajectory<SweepTrajectory>>(
+        SweepTrajectory(ends_.with_goal(goal_in_world), centre_));
+}
+
 PathBall SweepTrajectory::ball_around_path(const Vector3<double>& point) const {
     const Vector3<double> reference = vector_in<double>(centre_);
     const PathEnds path(ends_, point);

@@ -57,6 +57,7 @@ public:
         return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : piece().pose_at(time);
     }
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
+    [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }

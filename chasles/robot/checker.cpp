@@ -129,8 +129,10 @@ std::vector<RobotPair> SegmentSearch::pairs_at_start() const {
 } // namespace
 
 RobotChecker::RobotChecker(const Robot& robot, const Scene* scene, const RobotQuery& query)
-    : prepared_(std::make_unique<const Prepared>(robot, scene, query)) {}
+    : prepared_(std::make_shared<const Prepared>(robot, scene, query)) {}
 RobotChecker::~RobotChecker() = default;
+RobotChecker::RobotChecker(const RobotChecker&) = default;
+RobotChecker& RobotChecker::operator=(const RobotChecker&) = default;
 RobotChecker::RobotChecker(RobotChecker&&) noexcept = default;
 RobotChecker& RobotChecker::operator=(RobotChecker&&) noexcept = default;
 

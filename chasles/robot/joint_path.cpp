@@ -4,8 +4,8 @@
 
 #include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
-#include "chasles/motion/splines.h"
 #include "chasles/motion/turn_about.h"
+#include "chasles/robot/knot_weights.h"
 #include "chasles/robot/model.h"
 
 #include <algorithm>
@@ -223,20 +223,6 @@ std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const
     return segments;
 }
 
-/// The velocities at the knots of the natural cubic spline.
-std::vector<Configuration> natural_velocities(std::span<const double> times, std::span<const Configuration> positions) {
-    const std::vector<Configuration> points(positions.begin(), positions.end());
-    const std::vector<Configuration> seconds = motion::natural_second_derivatives(times, points);
-    std::vector<Configuration> velocities;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t k = std::min(i, points.size() - 2); // the segment, at whose end the last knot is
-        const double h = times[k + 1] - times[k], side = k == i ? -1 : 1;
-        velocities.emplace_back((points[k + 1] - points[k]) / h +
-                                side * h / 6 * (2 * seconds[i] + seconds[k == i ? k + 1 : k]));
-    }
-    return velocities;
-}
-
 Configuration value_at(const Segment& segment, double time) {
     Configuration value = Configuration::Zero(segment.coefficients.cols());
     for (Eigen::Index k = segment.coefficients.rows(); k-- > 0;)
@@ -276,14 +262,15 @@ JointPath JointPath::straight(const Robot& robot, std::span<const Configuration>
     std::vector<Segment> segments;
     for (std::size_t i = 0; i + 1 < times.size(); ++i)
         segments.push_back(straight_segment(model, times[i], times[i + 1], configurations[i], configurations[i + 1]));
-    return {std::move(segments), model.quaternions, model.variables_of_paths};
+    return {std::move(segments), model.quaternions, model.variables_of_paths, Knots::straight};
 }
 
 JointPath JointPath::cubic(const Robot& robot, std::span<const double> times, std::span<const Configuration> positions,
                            std::span<const Configuration> velocities) {
     return {hermite_segments(robot.model(), times, std::array{positions, velocities}),
             {},
-            robot.model().variables_of_paths};
+            robot.model().variables_of_paths,
+            Knots::cubic};
 }
 
 JointPath JointPath::quintic(const Robot& robot, std::span<const double> times,
@@ -291,14 +278,17 @@ JointPath JointPath::quintic(const Robot& robot, std::span<const double> times,
                              std::span<const Configuration> accelerations) {
     return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}),
             {},
-            robot.model().variables_of_paths};
+            robot.model().variables_of_paths,
+            Knots::quintic};
 }
 
 JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> times,
                                     std::span<const Configuration> positions) {
     check_configurations(robot.model(), positions);
     check_times(times, positions.size());
-    return cubic(robot, times, positions, natural_velocities(times, positions));
+    JointPath path = cubic(robot, times, positions, robot::natural_velocities(times, positions));
+    path.knots_ = Knots::natural_spline;
+    return path;
 }
 
 JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segments) {
@@ -311,7 +301,7 @@ JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segmen
                       !value_at(segments[s], 0).isApprox(value_at(segments[s - 1], 1), 1e-9)))
             refuse(numbered("segment", s), "does not begin where the one before ends");
     }
-    return {std::move(segments), {}, robot.model().variables_of_paths};
+    return {std::move(segments), {}, robot.model().variables_of_paths, Knots::none};
 }
 
 Configuration JointPath::at(double stamp) const {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
@@ -22,6 +23,16 @@ using Configuration = Eigen::VectorXd;
 /// A path of a robot in joint space. The polynomials of a segment have the time of the segment, from 0 to 1.
 class CHASLES_EXPORT JointPath {
 public:
+    /// How the polynomials follow from the knots: the configurations that the path was made of, at the ends of its
+    /// segments.
+    enum class Knots : std::uint8_t {
+        none,           ///< a path of polynomials
+        straight,       ///< each segment by the two knots at its ends
+        cubic,          ///< likewise, for given velocities
+        quintic,        ///< likewise, for given velocities and accelerations
+        natural_spline, ///< each segment by all knots
+    };
+
     struct Segment {
         double begin = 0; ///< time stamp
         double end = 1;   ///< likewise; later
@@ -58,6 +69,7 @@ public:
     static JointPath polynomials(const Robot& robot, std::vector<Segment> segments);
 
     [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+    [[nodiscard]] Knots knots() const { return knots_; }
     /// The configuration at a stamp; outside of the path, at its nearer end.
     [[nodiscard]] Configuration at(double stamp) const;
 
@@ -67,17 +79,19 @@ public:
     using Variables = std::shared_ptr<const std::vector<RobotVariable>>;
     [[nodiscard]] const Variables& variables() const { return variables_; }
     static JointPath of_parts(std::vector<Segment> segments, std::vector<std::size_t> quaternions,
-                              Variables variables = {}) {
-        return {std::move(segments), std::move(quaternions), std::move(variables)};
+                              Variables variables = {}, Knots knots = Knots::none) {
+        return {std::move(segments), std::move(quaternions), std::move(variables), knots};
     }
 
 private:
-    JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions, Variables variables)
-        : segments_(std::move(segments)), quaternions_(std::move(quaternions)), variables_(std::move(variables)) {}
+    JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions, Variables variables, Knots knots)
+        : segments_(std::move(segments)), quaternions_(std::move(quaternions)), variables_(std::move(variables)),
+          knots_(knots) {}
 
     std::vector<Segment> segments_;
     std::vector<std::size_t> quaternions_; ///< of floating joints: the first one of four variables
     Variables variables_;
+    Knots knots_ = Knots::none;
 };
 
 } // namespace chasles

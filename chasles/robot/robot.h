@@ -212,14 +212,27 @@ struct [[nodiscard]] RobotProfile {
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
 };
 
+/// Of the least distance along a path by its knots: the configurations that the path was made of.
+struct [[nodiscard]] RobotGradient {
+    /// by_knots(k, i): the derivative by variable i of knot k, mesh unit per radian or per mesh unit. Velocities that
+    /// were given with the knots, and times, stay. The last row is that of the goal of an edge. Empty where something
+    /// touches, and where no pair is tested.
+    Eigen::MatrixXd by_knots;
+    /// Whether the least distance has this gradient, as in DistanceGradient.
+    bool isolated = false;
+};
+
 /// A robot in a world, made ready for many questions: what a planner asks for each of its edges. It keeps the state of
-/// the robot and of the scene at the time when it is made. Questions may be asked from several threads at a time.
+/// the robot and of the scene at the time when it is made. Questions may be asked from several threads at a time. A
+/// copy shares what was made ready.
 class CHASLES_EXPORT RobotChecker {
 public:
     /// `scene` may be null: then the robot is tested against itself only. Throws InvalidInput for an option out of its
     /// range.
     explicit RobotChecker(const Robot& robot, const Scene* scene = nullptr, const RobotQuery& query = {});
     ~RobotChecker();
+    RobotChecker(const RobotChecker&);
+    RobotChecker& operator=(const RobotChecker&);
     RobotChecker(RobotChecker&&) noexcept;
     RobotChecker& operator=(RobotChecker&&) noexcept;
 
@@ -245,6 +258,10 @@ public:
     [[nodiscard]] RobotClearance least_distance(const Configuration& start, const Configuration& goal,
                                                 const LeastDistanceOptions& options = {}) const;
 
+    /// The gradient of an answer about this path. It is computed in double. Throws InvalidInput for a path of
+    /// polynomials, which has no knots. Source: docs/derivations/41-gradients.md.
+    [[nodiscard]] RobotGradient least_distance_gradient(const JointPath& path, const RobotClearance& clearance) const;
+
     /// The distance of the nearest pair over a path; margins of the checker have no effect. At a Limit what is proven
     /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
     /// pairs".
@@ -257,7 +274,7 @@ public:
     struct Prepared; ///< for the library's own use
 
 private:
-    std::unique_ptr<const Prepared> prepared_;
+    std::shared_ptr<const Prepared> prepared_;
 };
 
 } // namespace chasles

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] double best() const { return best_; }
     [[nodiscard]] double least() const { return least_; }
 
+    [[nodiscard]] double distance_at(double tau) {
+        return nearest_.points(bodies_at(context_, tau), features_).distance;
+    }
     /// Half the rate of the square of the distance. For bodies that pass each other it is nearly linear in tau.
     double rate_at(double tau) {
         const contact::RelativeConfiguration bodies = bodies_at(context_, tau);
@@ -50,6 +53,16 @@ using NoErrors =
     boost::math::policies::policy<boost::math::policies::domain_error<boost::math::policies::ignore_error>,
                                   boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
 
+/// Where the rate is 0 between two tau with rates of different signs.
+Bracket zero_between(Approach& approach, const Bracket& taus, double rate_at_lower, double rate_at_upper, int bits,
+                     std::uintmax_t most) {
+    const auto rate_at = [&](double time) { return approach.rate_at(time); };
+    const auto [lower, upper] =
+        boost::math::tools::toms748_solve(rate_at, taus.lower, taus.upper, rate_at_lower, rate_at_upper,
+                                          boost::math::tools::eps_tolerance<double>(bits), most, NoErrors());
+    return {lower, upper};
+}
+
 /// Goes downhill from `tau` in growing steps until the distance grows, then to the minimum in the last step.
 void descend(Approach& approach, double tau) {
     constexpr int bits = 40;
@@ -60,11 +73,9 @@ void descend(Approach& approach, double tau) {
         const double next = std::clamp(tau + step, 0.0, 1.0);
         const double next_rate = approach.rate_at(next);
         if (next_rate * step > 0) {
-            std::uintmax_t most = 20;
-            const auto rate_at = [&](double time) { return approach.rate_at(time); };
-            boost::math::tools::toms748_solve(rate_at, std::min(tau, next), std::max(tau, next),
-                                              step > 0 ? rate : next_rate, step > 0 ? next_rate : rate,
-                                              boost::math::tools::eps_tolerance<double>(bits), most, NoErrors());
+            constexpr std::uintmax_t most = 20;
+            zero_between(approach, {std::min(tau, next), std::max(tau, next)}, step > 0 ? rate : next_rate,
+                         step > 0 ? next_rate : rate, bits, most);
             return;
         }
         tau = next;
@@ -102,6 +113,19 @@ NearMoment local_minimum(const PieceContext& context, double tau, const FeatureP
         best.near = *nearer;
     }
     return best;
+}
+
+NearMoment minimum_between(const PieceContext& context, const FeaturePair& features, const Bracket& taus) {
+    constexpr int bits = 50;
+    constexpr std::uintmax_t most = 60;
+    Approach approach(context, features);
+    const double at_lower = approach.rate_at(taus.lower), at_upper = approach.rate_at(taus.upper);
+    double tau = approach.best(); // the nearer end
+    if (at_lower < 0 && at_upper > 0) {
+        const Bracket zero = zero_between(approach, taus, at_lower, at_upper, bits, most);
+        tau = 0.5 * (zero.lower + zero.upper);
+    }
+    return {tau, {features, approach.distance_at(tau)}};
 }
 
 } // namespace chasles::search

@@ -21,4 +21,8 @@ std::optional<NearMoment> nearest_of_samples(const PieceContext& context, double
 /// than these features are.
 NearMoment local_minimum(const PieceContext& context, double tau, const contact::FeaturePair& features, Work& work);
 
+/// When these two features are nearest in a range of tau in which their distance has one minimum: where its rate is 0,
+/// up to rounding, or at an end. If it has several, at one of them.
+NearMoment minimum_between(const PieceContext& context, const contact::FeaturePair& features, const Bracket& taus);
+
 } // namespace chasles::search

@@ -1,8 +1,9 @@
 // Answers as Python objects: the library's answer with the bodies and the motion of its query.
 #pragma once
 
-#include "chasles/query/least_distance.h"
+#include "chasles/query/distance_gradient.h"
 #include "python/src/body.h"
+#include "python/src/computed_once.h"
 #include "python/src/motions.h"
 
 #include <nanobind/nanobind.h>
@@ -33,6 +34,7 @@ struct LeastAnswer {
     TypedMotion motion;
     bool is_swapped = false;
     std::optional<std::pair<std::string, std::string>> pair = {}; ///< of bodies of a scene: the first one moves
+    ComputedOnce<DistanceGradient> gradient = {};
 };
 
 /// The references of an answer about two bodies. The bodies stay when the collector clears the others.

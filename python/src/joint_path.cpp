@@ -97,7 +97,7 @@ nb::tuple state_of(const JointPath& path) {
     if (path.variables())
         for (const RobotVariable& variable : *path.variables())
             variables.append(nb::make_tuple(variable.name, variable.is_continuous));
-    return nb::make_tuple(nb::tuple(segments), path.quaternions(), nb::tuple(variables));
+    return nb::make_tuple(nb::tuple(segments), path.quaternions(), nb::tuple(variables), int(path.knots()));
 }
 
 [[noreturn]] void refuse_state(const char* why) {
@@ -140,9 +140,14 @@ JointPath::Segment segment_from(const nb::tuple& state) {
 void set_state(JointPath& path, const nb::tuple& state) {
     nb::tuple list, names;
     std::vector<std::size_t> quaternions;
-    if (state.size() != 3 || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) ||
-        !nb::try_cast(state[2], names) || list.size() == 0)
-        refuse_state("it has segments, floating joints and variables");
+    int knots = 0;
+    constexpr int last_kind = int(JointPath::Knots::natural_spline);
+    const bool is_older = state.size() == 3; // before paths knew their knots
+    if ((!is_older && state.size() != 4) || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) ||
+        !nb::try_cast(state[2], names) || (!is_older && !nb::try_cast(state[3], knots)) || list.size() == 0)
+        refuse_state("it has segments, floating joints, variables and a kind of knots");
+    if (knots < 0 || knots > last_kind)
+        refuse_state("there is no such kind of knots");
     std::vector<JointPath::Segment> segments;
     for (const nb::handle item : list) {
         nb::tuple segment;
@@ -158,7 +163,8 @@ void set_state(JointPath& path, const nb::tuple& state) {
     JointPath::Variables of_robot = variables_from(names);
     if (of_robot && of_robot->size() != variables)
         refuse_state("there are other variables than numbers of a configuration");
-    new (&path) JointPath(JointPath::of_parts(std::move(segments), std::move(quaternions), std::move(of_robot)));
+    new (&path) JointPath(
+        JointPath::of_parts(std::move(segments), std::move(quaternions), std::move(of_robot), JointPath::Knots(knots)));
 }
 
 nb::object at(const JointPath& path, double time) {

@@ -35,6 +35,31 @@ LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handl
     return answer;
 }
 
+/// By the goal of the body that moved in the query.
+DistanceGradient gradient_of(const LeastAnswer& answer) {
+    const Polyhedron& moving = polyhedron_of(answer.is_swapped ? answer.fixed : answer.moving, "moving");
+    const Polyhedron& fixed = polyhedron_of(answer.is_swapped ? answer.moving : answer.fixed, "fixed");
+    const Motion motion = plain(answer.motion);
+    return answer.gradient.get([&] { return least_distance_gradient({moving, fixed, motion}, answer.found); });
+}
+
+nb::object numbers_of(const std::optional<DistanceGradient::Vector>& gradient) {
+    return gradient ? array_of(std::span(gradient->data(), 6), {6}) : nb::none();
+}
+
+void bind_gradient(nb::class_<LeastAnswer>& type) {
+    type.def_prop_ro(
+            "gradient", [](const LeastAnswer& a) { return numbers_of(gradient_of(a).by_goal); },
+            nb::sig("def gradient(self) -> " CHASLES_ARRAY " | None"),
+            "The derivatives of the least distance by the goal pose of the moving body, shape (6,): by v, then by w "
+            "(mesh unit per\nradian), where the goal (R, p) in the world becomes (exp(w) R, p + v). So v translates "
+            "the goal, and the rotation vector\nw turns it about the origin of the body. None where the bodies touch. "
+            "It is that of this minimum only if `isolated`.\nComputed in double on the first use. A swapped answer has "
+            "the gradient of the query.\n\nRaises\n------\nInvalidInput\n    If the motion has no goal pose.")
+        .def_prop_ro(
+            "isolated", [](const LeastAnswer& a) { return gradient_of(a).isolated; }, doc("DistanceGradient.isolated"));
+}
+
 /// "0.25 at time 0.5, vertex 0 on face 4"
 std::string summary(const LeastDistance& found) {
     std::string text = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
@@ -77,6 +102,7 @@ void bind_answer(nb::module_& module) {
         "pair", [](const LeastAnswer& a) { return a.pair; },
         "The names of two bodies of a scene, the moving one first; None for two polyhedra.");
     bind_members(type, member_docs);
+    bind_gradient(type);
     type.def("__repr__", [](const LeastAnswer& a) {
         const std::string pair = a.pair ? ", " + a.pair->first + " to " + a.pair->second : "";
         return "<chasles.LeastDistance: " + summary(a.found) + pair + ">";

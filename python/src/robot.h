@@ -5,6 +5,7 @@
 #include "chasles/robot/robot.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
+#include "python/src/computed_once.h"
 #include "python/src/interruptible.h"
 #include "python/src/signals.h"
 #include "python/src/use.h"
@@ -43,7 +44,10 @@ struct PythonRobotAnswer {
 /// How near a robot comes. Times count within the segment, in [0, 1], or in stamps.
 struct PythonClearance {
     RobotClearance found;
+    RobotChecker checker; ///< of the question, and its path: for the gradient
+    JointPath path;
     bool in_stamps = false;
+    ComputedOnce<RobotGradient> gradient = {};
 
     [[nodiscard]] Bracket time() const { return in_stamps ? found.time : found.nearest.time; }
 };

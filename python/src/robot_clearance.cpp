@@ -5,6 +5,7 @@
 #include "python/src/robot.h"
 #include "view/stamped_speeds.h"
 
+#include <array>
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
@@ -28,22 +29,56 @@ std::string summary(const PythonClearance& clearance) {
 
 PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal, double tolerance) {
     const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
-    return {asked([&] { return checker.least_distance(from, to, {.tolerance = tolerance}); })};
+    JointPath path = JointPath::straight(checker.robot(), std::array{from, to});
+    RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); });
+    return {std::move(found), checker, std::move(path)};
 }
 
 PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& arguments, double tolerance) {
-    const JointPath path = path_from(checker.robot(), arguments);
+    JointPath path = path_from(checker.robot(), arguments);
     RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); });
     const bool in_stamps = has_stamps(arguments);
     if (in_stamps)
         view::count_in_stamps(found.nearest.contacts, view::duration_of(path, found.segment));
-    return {std::move(found), in_stamps};
+    return {std::move(found), checker, std::move(path), in_stamps};
 }
+
+namespace {
+
+RobotGradient gradient_of(const PythonClearance& c) {
+    return c.gradient.get([&] { return c.checker.least_distance_gradient(c.path, c.found); });
+}
+
+/// Rows of knots.
+nb::object rows_of(const Eigen::MatrixXd& by_knots) {
+    if (by_knots.size() == 0)
+        return nb::none();
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = by_knots;
+    return array_of(std::span(rows.data(), std::size_t(rows.size())),
+                    {std::size_t(rows.rows()), std::size_t(rows.cols())});
+}
+
+void bind_gradient(nb::class_<PythonClearance>& type) {
+    type.def_prop_ro(
+            "gradient", [](const PythonClearance& c) { return rows_of(gradient_of(c).by_knots); },
+            nb::sig("def gradient(self) -> " CHASLES_ARRAY " | None"),
+            "The derivatives of the least distance by the configurations of the path, shape (knots, variables); of an "
+            "edge (2, variables),\nso that gradient[-1] is that of the goal. Mesh unit per radian, or per mesh unit. "
+            "Times stay, and so do velocities that were\ngiven with the configurations. None where something touches. "
+            "It is that of this minimum only if `isolated`. Computed in\ndouble on the first use.\n\n"
+            "Raises\n------\nInvalidInput\n    For a path of polynomials, which has no knots.")
+        .def_prop_ro(
+            "isolated", [](const PythonClearance& c) { return gradient_of(c).isolated; },
+            doc("DistanceGradient.isolated"));
+}
+
+} // namespace
 
 void bind_robot_clearance(nb::module_& module) {
     using Clearance = PythonClearance;
-    nb::class_<Clearance>(module, "RobotClearance", doc("RobotClearance"))
-        .def_prop_ro(
+    nb::class_<Clearance> type(module, "RobotClearance", doc("RobotClearance"));
+    bind_gradient(type);
+    type.def_prop_ro(
             "distance", [](const Clearance& c) { return c.found.distance.lower; },
             "Lower end of the bracket around the least distance. It is proven: nothing comes nearer. Mesh unit; 0 if "
             "something touches, infinite if no two bodies are tested.")

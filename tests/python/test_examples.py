@@ -1,5 +1,6 @@
 """The examples run unchanged. They assert their own claims."""
 
+import importlib.metadata
 import subprocess
 import sys
 
@@ -12,7 +13,12 @@ EXAMPLES = sorted((ROOT / "examples" / "python").glob("*.py"))
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda file: file.stem)
 def test_example(example, tmp_path):
     text = example.read_text("utf-8")
-    for package in ("matplotlib", "ompl", "pinocchio"):
+    if "example_robot_data" in text:
+        try:
+            importlib.metadata.distribution("example_robot_data")
+        except importlib.metadata.PackageNotFoundError:
+            pytest.skip("no robots: example_robot_data is not installed")
+    for package in ("jax", "matplotlib", "ompl", "pinocchio", "torch"):
         if f"import {package}" in text or f"from {package} import" in text:
             pytest.importorskip(package)
     done = subprocess.run(

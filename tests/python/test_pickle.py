@@ -345,7 +345,7 @@ def test_a_spoilt_state_is_refused(kind, state):
 
 def test_what_rounding_took_from_coefficients_is_kept():
     for path in joint_paths()[2:]:
-        segments, _, _ = path.__getstate__()
+        segments, *_ = path.__getstate__()
         assert any(np.any(remainders) for _, _, _, remainders in segments)
 
 
@@ -363,7 +363,7 @@ def test_a_joint_path_remembers_its_variables():
 
 
 def test_a_spoilt_joint_path_is_refused():
-    segments, quaternions, variables = joint_paths()[0].__getstate__()
+    segments, quaternions, variables, _ = joint_paths()[0].__getstate__()
     begin, end, coefficients, rest = segments[0]
     for state in [
         (segments, [5], variables),
@@ -377,6 +377,8 @@ def test_a_spoilt_joint_path_is_refused():
         (segments, quaternions, variables[1:]),
         (segments, quaternions, (("a", True, 1), *variables[1:])),
         (segments, quaternions, ((1, True), *variables[1:])),
+        (segments, quaternions, variables, 5),
+        (segments, quaternions, variables, "straight"),
     ]:
         with pytest.raises(chasles.InvalidInput, match="state: is not that of a path"):
             chasles.JointPath.__new__(chasles.JointPath).__setstate__(state)
