@@ -74,14 +74,8 @@ public:
     std::vector<Task> run() {
         visit({}, candidates());
         add_movers();
-        return in_order_of_time();
-    }
-    std::vector<Task> run(std::span<const NearPair> pairs) {
-        std::vector<Candidate> all;
-        for (const auto& [task, margin] : pairs)
-            add_candidate(all, task, rates_of(task), margin);
-        visit({}, all);
-        return in_order_of_time();
+        std::ranges::stable_sort(tasks_, {}, [](const Task& task) { return task.part.lower; });
+        return std::move(tasks_);
     }
 
 private:
@@ -102,17 +96,6 @@ private:
     void add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates, double margin) const;
     void add_obstacles(std::vector<Candidate>& all, std::size_t element);
     void add_movers();
-    std::vector<Task> in_order_of_time() {
-        std::ranges::stable_sort(tasks_, {}, [](const Task& task) { return task.part.lower; });
-        return std::move(tasks_);
-    }
-    /// Of the moving element, as seen from the fixed body.
-    [[nodiscard]] RateBounds rates_of(const Task& task) const {
-        const std::size_t moving = model_.elements[prepared_.moving_index(task)].group;
-        return task.kind == Task::Kind::self
-                   ? rates_between(model_.elements[prepared_.self_pairs[task.first].fixed].group, moving)
-                   : of_group_[moving];
-    }
     void go_down(RateBounds& bounds, std::size_t above, std::size_t to) const;
     [[nodiscard]] RateBounds rates_between(std::size_t from, std::size_t to) const;
     void visit(const Cell& cell, const std::vector<Candidate>& pairs);
@@ -191,8 +174,10 @@ void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const
 std::vector<Candidate> Culling::candidates() {
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < prepared_.self_pairs.size(); ++i) {
-        const Task task{Task::Kind::self, i, 0, {}};
-        add_candidate(all, task, rates_of(task), distance_.value_or(prepared_.self_pairs[i].margin));
+        const auto& [moving, fixed, margin] = prepared_.self_pairs[i];
+        add_candidate(all, {Task::Kind::self, i, 0, {}},
+                      rates_between(model_.elements[fixed].group, model_.elements[moving].group),
+                      distance_.value_or(margin));
     }
     if (!prepared_.obstacles.empty())
         for (std::size_t e = 0; e < model_.elements.size(); ++e)
@@ -336,11 +321,6 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
 std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
                              std::optional<double> distance) {
     return Culling(prepared, motion, distance).run();
-}
-
-std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
-                             std::span<const NearPair> pairs) {
-    return Culling(prepared, motion, {}).run(pairs);
 }
 
 } // namespace chasles::robot

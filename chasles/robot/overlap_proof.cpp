@@ -1,6 +1,7 @@
 #include "chasles/robot/overlap_proof.h"
 
 #include "chasles/motion/screw_path.h"
+#include "chasles/robot/small_motions.h"
 
 namespace chasles::robot {
 
@@ -14,6 +15,7 @@ OverlapProof::OverlapProof(const Model& model, const std::vector<const Element*>
 }
 
 bool OverlapProof::touch_within(double margin, const Configuration& configuration) const {
+    const SmallMotion motion_within{.rest_of_moving = margin, .rest_of_fixed = margin};
     const SegmentMotion motion = model_.motion_of({0, 1, configuration.transpose()});
     for (std::size_t i = 0; i < first_.size(); ++i)
         for (std::size_t k = 0; k < second_.size(); ++k) {
@@ -21,7 +23,7 @@ bool OverlapProof::touch_within(double margin, const Configuration& configuratio
                 motion::chain_frame(model_.chain_between(motion, *second_[k], *first_[i]));
             const Eigen::Isometry3d relative =
                 motion::rounded(frame->refined_at(algebra::DoubleDouble(0.0))).isometry();
-            if (overlap_within(of_first_[i], of_second_[k], relative, {.way = margin}))
+            if (stay_in_touch({of_first_[i], of_second_[k], relative, motion_within}))
                 return true;
         }
     return false;

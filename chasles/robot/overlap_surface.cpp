@@ -4,7 +4,6 @@
 #include "chasles/culling/winding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,143 +12,102 @@ namespace chasles::robot {
 namespace {
 
 using Eigen::Vector3d;
-using Triangle = std::array<Vector3d, 3>;
 
-/// So many points of a surface are tried, those nearest to the middle of both boxes.
-constexpr std::size_t most_tries = 24;
 /// Surfaces with more faces have enough points without some of their edges.
 constexpr std::size_t many_faces = 200;
-/// Of all lengths that enter; places are computed in double.
-constexpr double rounding_share = 1e-9;
-
-/// The distance of the rim.
-double distance_to_rim(const Triangle& triangle, const Vector3d& point) {
-    const auto& [a, b, c] = triangle;
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        least = std::min(least, (point - (from == to ? from : contact::foot_on_segment(from, to, point))).norm());
-    return least;
-}
-
-/// Never more than the distance, but for rounding.
-double distance_to(const Triangle& triangle, const Vector3d& point) {
-    const auto& [a, b, c] = triangle;
-    const Vector3d normal = (b - a).cross(c - a);
-    const double rim = distance_to_rim(triangle, point);
-    const bool is_beside = normal.squaredNorm() > 0 && normal.cross(b - a).dot(point - a) >= 0 &&
-                           normal.cross(c - b).dot(point - b) >= 0 && normal.cross(a - c).dot(point - c) >= 0;
-    return is_beside ? std::min(rim, std::abs(normal.dot(point - a)) / normal.norm()) : rim;
-}
-
-double squared_distance(const BvhNode& node, const Vector3d& point) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double x = point[Eigen::Index(i)];
-        const double beside = std::max({double(node.lower[i]) - x, x - double(node.upper[i]), 0.0});
-        sum += beside * beside;
-    }
-    return sum;
-}
+/// The inner points are among the middles of the cells of a grid, so many along each side of the box.
+constexpr int inner_cells = 6;
+/// Of all lengths that enter.
+constexpr double rounding_share = 1e-12;
 
 } // namespace
 
-OverlapSurface::OverlapSurface(const Polyhedron& shape) : body_(&shape.body()) {
-    const auto vertices = shape.vertices();
-    for (std::size_t f = 0; f < shape.face_count(); ++f) {
-        first_triangle_.push_back(triangles_.size());
-        for (const auto& [a, b, c] : shape.triangles(f)) {
-            triangles_.push_back({vertices[a], vertices[b], vertices[c]});
-            points_.emplace_back((vertices[a] + vertices[b] + vertices[c]) / 3);
+Vector3d nearest_on(const Triangle& triangle, const Vector3d& point) {
+    const auto& [a, b, c] = triangle;
+    const Vector3d normal = (b - a).cross(c - a);
+    const double square = normal.squaredNorm();
+    if (square > 0 && normal.cross(b - a).dot(point - a) >= 0 && normal.cross(c - b).dot(point - b) >= 0 &&
+        normal.cross(a - c).dot(point - c) >= 0)
+        return point - normal * (normal.dot(point - a) / square);
+    Vector3d nearest = a;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        const Vector3d foot = from == to ? from : contact::foot_on_segment(from, to, point);
+        if (const double distance = (point - foot).squaredNorm(); distance < least) {
+            nearest = foot;
+            least = distance;
         }
-        const auto face = shape.face(f);
-        for (std::size_t i = 0; i < face.size() && shape.face_count() <= many_faces; ++i)
-            for (const double share : {0.25, 0.5, 0.75})
-                points_.emplace_back(vertices[face[i]] + share * (vertices[face[(i + 1) % face.size()]] - vertices[face[i]]));
     }
+    return nearest;
+}
+
+OverlapSurface::OverlapSurface(const Polyhedron& shape) : body_(&shape.body()) {
+    for (std::size_t face = 0; face < shape.face_count(); ++face)
+        add_face(shape, face);
     first_triangle_.push_back(triangles_.size());
-    for (const Vector3d& vertex : vertices) {
+    for (const Vector3d& vertex : shape.vertices()) {
         points_.push_back(vertex);
         box_.extend(vertex);
     }
+    size_ = box_.min().lpNorm<1>() + box_.max().lpNorm<1>() + body_->radius();
+    if (is_solid())
+        add_inner_points();
 }
 
-/// Whether the test holds for a triangle among those that may be within a distance of the point.
-template <class Test>
-bool OverlapSurface::has_triangle(const Vector3d& point, double within, const Test& test) const {
-    const Bvh& bvh = body_->bvh();
-    const Vector3d seen = point - bvh.centre();
-    const double wide = within * (1 + rounding_share) + rounding_share * (bvh.radius() + seen.lpNorm<1>());
-    std::array<std::uint32_t, Bvh::max_depth + 1> waiting; // NOLINT(cppcoreguidelines-pro-type-member-init)
-    std::size_t count = 0;
-    for (waiting[count++] = 0; count > 0;) {
-        const BvhNode& node = bvh.nodes()[waiting[--count]];
-        if (squared_distance(node, seen) > wide * wide)
-            continue;
-        if (!node.is_leaf()) {
-            waiting[count++] = node.first;
-            waiting[count++] = node.first + 1;
-            continue;
-        }
-        for (std::size_t i = first_triangle_[node.first]; i < first_triangle_[node.first + 1]; ++i)
-            if (test(triangles_[i]))
-                return true;
+/// Its triangles, and some points of it. The warp is the extent of its corners across it.
+void OverlapSurface::add_face(const Polyhedron& shape, std::size_t face) {
+    first_triangle_.push_back(triangles_.size());
+    const auto vertices = shape.vertices();
+    const auto outline = shape.face(face);
+    Vector3d normal = Vector3d::Zero();
+    for (const auto& [a, b, c] : shape.triangles(face)) {
+        triangles_.push_back({vertices[a], vertices[b], vertices[c]});
+        points_.emplace_back((vertices[a] + vertices[b] + vertices[c]) / 3);
+        normal += (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
     }
-    return false;
+    if (outline.size() > 3 && normal.squaredNorm() > 0) {
+        const Vector3d unit = normal.normalized();
+        double least = std::numeric_limits<double>::infinity(), greatest = -least;
+        for (const std::uint32_t vertex : outline) {
+            least = std::min(least, unit.dot(vertices[vertex]));
+            greatest = std::max(greatest, unit.dot(vertices[vertex]));
+        }
+        warp_ = std::max(warp_, greatest - least);
+    }
+    for (std::size_t i = 0; i < outline.size() && shape.face_count() <= many_faces; ++i) {
+        const Vector3d &from = vertices[outline[i]], &to = vertices[outline[(i + 1) % outline.size()]];
+        for (const double share : {0.25, 0.5, 0.75})
+            points_.emplace_back(from + share * (to - from));
+    }
 }
 
-/// Near the surface, or in the volume and not near the surface.
-bool OverlapSurface::holds(const Vector3d& point, double reach, double slack, double rounding) const {
-    const auto is_near = [&](const Triangle& triangle) { return distance_to_rim(triangle, point) < reach - slack; };
-    if (reach > slack && has_triangle(point, reach - slack, is_near))
-        return true;
-    if (!body_->volume().is_solid())
-        return false;
-    const auto is_in_reach = [&](const Triangle& triangle) { return distance_to(triangle, point) <= slack; };
-    if (has_triangle(point, slack, is_in_reach))
-        return false;
+void OverlapSurface::add_inner_points() {
+    const double rounding = rounding_share * size_ + warp_;
+    const auto place_of = [](int i) { return (i + 0.5) / inner_cells; };
+    for (int i = 0; i < inner_cells * inner_cells * inner_cells; ++i) {
+        const Vector3d share(place_of(i % inner_cells), place_of(i / inner_cells % inner_cells),
+                             place_of(i / (inner_cells * inner_cells)));
+        const Vector3d point = box_.min() + share.cwiseProduct(box_.sizes());
+        if (contains(point, rounding))
+            inner_points_.push_back({point, distance(point) - rounding});
+    }
+    std::ranges::stable_sort(inner_points_, std::ranges::greater(), &InnerPoint::depth);
+}
+
+/// A bound from below of the distance of the surface, by bisection.
+double OverlapSurface::distance(const Vector3d& point) const {
+    double low = 0, high = box_.sizes().norm();
+    for (int i = 0; i < 12; ++i) {
+        const double middle = 0.5 * (low + high);
+        const auto is_within = [&](const Triangle& t) { return (nearest_on(t, point) - point).norm() <= middle; };
+        (has_triangle(point, middle, is_within) ? high : low) = middle;
+    }
+    return low;
+}
+
+bool OverlapSurface::contains(const Vector3d& point, double rounding) const {
     const culling::WeightedPoint<double> place{{point.x(), point.y(), point.z()}, 1, rounding};
     return culling::is_inside(*body_, place, point, rounding).value_or(false);
-}
-
-namespace {
-
-/// Whether a point of the first surface is in the second body, for any displacement.
-bool has_point_in(const OverlapSurface& moving, const OverlapSurface& fixed, const Eigen::Isometry3d& relative,
-                  const Displacement& displacement, double rounding) {
-    const double reach = moving.body().radius() + fixed.body().radius() + displacement.margin;
-    const double slack = displacement.way * (1 + rounding_share) + rounding;
-    if (reach <= slack && !fixed.body().volume().is_solid())
-        return false;
-    const Vector3d wide = Vector3d::Constant(std::max(reach, 0.0));
-    const Eigen::AlignedBox3d around(fixed.box().min() - wide, fixed.box().max() + wide);
-    std::vector<Vector3d> points;
-    Eigen::AlignedBox3d box;
-    const Eigen::Matrix3d turn = relative.linear();
-    const Vector3d shift = relative.translation();
-    for (const Vector3d& point : moving.points()) {
-        const Vector3d placed = contact::product(turn, point) + shift;
-        box.extend(placed);
-        if (around.contains(placed))
-            points.push_back(placed);
-    }
-    const Vector3d middle = box.intersection(around).center();
-    const std::size_t tries = std::min(most_tries, points.size());
-    std::ranges::partial_sort(points, points.begin() + std::ptrdiff_t(tries), {},
-                              [&](const Vector3d& point) { return (point - middle).squaredNorm(); });
-    return std::any_of(points.begin(), points.begin() + std::ptrdiff_t(tries),
-                       [&](const Vector3d& point) { return fixed.holds(point, reach, slack, rounding); });
-}
-
-} // namespace
-
-bool overlap_within(const OverlapSurface& moving, const OverlapSurface& fixed, const Eigen::Isometry3d& relative,
-                    const Displacement& displacement) {
-    const double size = displacement.size + relative.translation().norm() + moving.box().min().norm() +
-                        moving.box().max().norm() + fixed.box().min().norm() + fixed.box().max().norm() +
-                        moving.body().radius() + fixed.body().radius() + displacement.margin;
-    const double rounding = rounding_share * size;
-    return has_point_in(moving, fixed, relative, displacement, rounding) ||
-           has_point_in(fixed, moving, relative.inverse(), displacement, rounding);
 }
 
 } // namespace chasles::robot

@@ -1,50 +1,99 @@
-// Points of a surface that are deep inside of another body: however little both move, the bodies touch.
-// Source: docs/derivations/29-robots.md, "Pairs that never touch", and 40-ranges.md, "In contact".
+// A body with what tests of a pair at one configuration need: triangles, points of the surface, and points inside.
+// Source: docs/derivations/40-ranges.md, "Surfaces".
 #pragma once
 
 #include "chasles/mesh/body.h"
 
 #include <Eigen/Geometry>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace chasles::robot {
 
-/// A body, and points of its surface.
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
 class OverlapSurface {
 public:
     /// The body is kept by reference.
     explicit OverlapSurface(const Polyhedron& shape);
 
     [[nodiscard]] const Body& body() const { return *body_; }
+    [[nodiscard]] bool is_solid() const { return body_->volume().is_solid(); }
+    /// Points of the surface.
     [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
-    [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
+    /// A point inside of a solid body, and a length by which it is deeper than the surface.
+    struct InnerPoint {
+        Eigen::Vector3d place;
+        double depth;
+    };
+    /// The deepest one first.
+    [[nodiscard]] const std::vector<InnerPoint>& inner_points() const { return inner_points_; }
+    [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; } ///< of the vertices
+    /// The triangles of a face.
+    [[nodiscard]] std::span<const Triangle> triangles(std::size_t face) const {
+        return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
+    }
+    /// No point of a face is farther from its triangles: polygons need not be planar.
+    [[nodiscard]] double warp() const { return warp_; }
+    /// The sum of the sizes of all lengths.
+    [[nodiscard]] double size() const { return size_; }
 
-    /// Whether the body comes within `reach` of any point that is no farther than `slack` from this one, in the frame
-    /// of the body. False where that is not proven. Lengths are off by at most `rounding`.
-    [[nodiscard]] bool holds(const Eigen::Vector3d& point, double reach, double slack, double rounding) const;
-
-private:
+    /// Whether a point is in the volume of the body. False where that is not proven.
+    [[nodiscard]] bool contains(const Eigen::Vector3d& point, double rounding) const;
+    /// Whether the test holds for some triangle among those that may be within a distance of a point.
     template <class Test>
     [[nodiscard]] bool has_triangle(const Eigen::Vector3d& point, double within, const Test& test) const;
 
+private:
+    void add_face(const Polyhedron& shape, std::size_t face);
+    void add_inner_points();
+    [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
+
     const Body* body_;
     std::vector<Eigen::Vector3d> points_;
-    std::vector<std::array<Eigen::Vector3d, 3>> triangles_;
+    std::vector<InnerPoint> inner_points_;
+    std::vector<Triangle> triangles_;
     std::vector<std::size_t> first_triangle_; ///< of each face, and at last the number of triangles
-    Eigen::AlignedBox3d box_;                 ///< of the vertices
+    Eigen::AlignedBox3d box_;
+    double warp_ = 0;
+    double size_ = 0;
 };
 
-/// How two surfaces may be displaced, and how near counts as touching.
-struct Displacement {
-    double way = 0;    ///< no point moves farther, as seen from the other body
-    double margin = 0; ///< of the question
-    double size = 0;   ///< of the lengths that enter the relative pose
-};
+/// The point of a triangle that is nearest to a point.
+Eigen::Vector3d nearest_on(const Triangle& triangle, const Eigen::Vector3d& point);
 
-/// Whether bodies are proven to touch, or to be within the margin, wherever no point is farther from its place than the
-/// displacement. `relative` places the moving body in the frame of the fixed one.
-bool overlap_within(const OverlapSurface& moving, const OverlapSurface& fixed, const Eigen::Isometry3d& relative,
-                    const Displacement& displacement);
+template <class Test>
+bool OverlapSurface::has_triangle(const Eigen::Vector3d& point, double within, const Test& test) const {
+    const Bvh& bvh = body_->bvh();
+    const Eigen::Vector3d seen = point - bvh.centre();
+    constexpr double rounding = 1e-12;
+    const double wide = within * (1 + rounding) + rounding * (bvh.radius() + seen.lpNorm<1>());
+    const auto may_be_near = [&](const BvhNode& node) {
+        double sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double x = seen[Eigen::Index(i)];
+            const double beside = std::max({double(node.lower[i]) - x, x - double(node.upper[i]), 0.0});
+            sum += beside * beside;
+        }
+        return sum <= wide * wide;
+    };
+    std::array<std::uint32_t, Bvh::max_depth + 1> waiting; // NOLINT(cppcoreguidelines-pro-type-member-init)
+    std::size_t count = 0;
+    for (waiting[count++] = 0; count > 0;) {
+        const BvhNode& node = bvh.nodes()[waiting[--count]];
+        if (!may_be_near(node))
+            continue;
+        if (!node.is_leaf()) {
+            waiting[count++] = node.first;
+            waiting[count++] = node.first + 1;
+            continue;
+        }
+        for (const Triangle& triangle : triangles(node.first))
+            if (test(triangle))
+                return true;
+    }
+    return false;
+}
 
 } // namespace chasles::robot

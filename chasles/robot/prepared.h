@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <set>
-#include <span>
 #include <utility>
 
 namespace chasles {
@@ -100,15 +99,6 @@ UntestedPairs untested_pairs(const RobotChecker::Prepared& prepared);
 /// margins, or within the distance that is given in the place of all margins.
 std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
                              std::optional<double> distance = {});
-
-/// A pair of the robot, or of the robot and an obstacle, and the margin that counts.
-struct NearPair {
-    Task task;
-    double margin = 0;
-};
-/// Likewise, of these pairs alone.
-std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
-                             std::span<const NearPair> pairs);
 
 } // namespace robot
 

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 using motion::GeneralPose;
-using Prepared = RobotChecker::Prepared;
 
 /// The allowance for roundings of places, relative to the sizes that enter: as for boxes of note 29.
 constexpr double rounding_of_places = 1e-11;
@@ -29,16 +28,9 @@ std::array<Vector3d, 8> corners_of(const Vector3d& centre, const Vector3d& half)
     return corners;
 }
 
-std::array<Vector3d, 8> placed_corners(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
-    std::array<Vector3d, 8> corners = corners_of(extent.centre, extent.half);
-    for (Vector3d& corner : corners)
-        corner = as_eigen(placed(pose, motion::vector_in<double>(corner)));
-    return corners;
-}
-
 } // namespace
 
-RestPlaces::RestPlaces(const Prepared& prepared, const SegmentMotion& motion) : prepared_(prepared) {
+RestPlaces::RestPlaces(const RobotChecker::Prepared& prepared, const SegmentMotion& motion) : prepared_(prepared) {
     const Model& model = prepared.model();
     Placements placements(model, motion, 1);
     for (std::size_t g = 0; g < model.groups.size(); ++g) {
@@ -51,16 +43,13 @@ GeneralPose<double> RestPlaces::element(std::size_t index) const {
     return product(groups_[prepared_.model().elements[index].group], prepared_.extents[index].place);
 }
 
-RangePair::RangePair(const Prepared& prepared, const Task& task, std::span<const std::size_t> axis_of)
+RangePair::RangePair(const RobotChecker::Prepared& prepared, const Task& task, std::span<const std::size_t> axis_of)
     : prepared_(&prepared), task_(task) {
     const Model& model = prepared.model();
     const bool is_self = task.kind == Task::Kind::self;
     const std::size_t moving = model.elements[prepared.moving_index(task)].group;
     const std::size_t fixed = is_self ? model.elements[prepared.self_pairs[task.first].fixed].group : 0;
     margin_ = is_self ? prepared.self_pairs[task.first].margin : prepared.options.margin;
-    greatest_depth_ = outward_sum * std::max(prepared.moving(task).shape.body().ball_radius(),
-                                             prepared.fixed_shape(task).body().ball_radius()) +
-                      margin_;
     add_steps(fixed, moving, axis_of);
 }
 
@@ -82,80 +71,128 @@ void RangePair::add_steps(std::size_t from, std::size_t to, std::span<const std:
         add(down[i], axis_of);
 }
 
-/// The turn of a group is its last step, so that its axis goes through the origin of the group.
+/// The turn of a group is its last step, so its axis goes through the origin of the group and turns with it.
 void RangePair::add(std::size_t group, std::span<const std::size_t> axis_of) {
-    for (const JointStep& step : prepared_->model().groups[group].steps)
+    const RigidGroup& rigid = prepared_->model().groups[group];
+    for (const JointStep& step : rigid.steps)
         if (axis_of[step.variable] != none && step.multiplier != 0)
             steps_.push_back(
                 {axis_of[step.variable], group, std::abs(step.multiplier), step.turns, step.axis.in_double});
 }
 
+GeneralPose<double> RangePair::fixed_pose(const RestPlaces& places) const {
+    return task_.kind == Task::Kind::self ? places.element(prepared_->self_pairs[task_.first].fixed)
+                                          : prepared_->obstacles[task_.second].pose.in_double;
+}
+
 Eigen::Isometry3d RangePair::relative(const RestPlaces& places) const {
-    const GeneralPose<double> moving = places.element(prepared_->moving_index(task_));
     const GeneralPose<double> pose =
-        task_.kind == Task::Kind::self ? seen_from(places.element(prepared_->self_pairs[task_.first].fixed), moving)
-                                       : seen_from(prepared_->obstacles[task_.second].pose.in_double, moving);
+        seen_from(fixed_pose(places), places.element(prepared_->moving_index(task_)));
     const auto& [w, v] = pose.rotation;
     Eigen::Isometry3d isometry(Eigen::Quaterniond(w, v.x, v.y, v.z).normalized());
     isometry.translation() = as_eigen(pose.translation);
     return isometry;
 }
 
-RangePair::Hull RangePair::moving_hull(const RestPlaces& places) const {
-    const std::size_t element = prepared_->moving_index(task_);
-    const Prepared::Extent& extent = prepared_->extents[element];
+RangePair::Hull RangePair::hull_of(std::size_t element, const RestPlaces& places) const {
+    const RobotChecker::Prepared::Extent& extent = prepared_->extents[element];
     const GeneralPose<double> pose = places.element(element);
-    return {placed_corners(extent, pose), centre_at(extent, pose), extent.radius};
+    Hull hull{corners_of(extent.centre, extent.half), centre_at(extent, pose), extent.radius};
+    for (Vector3d& corner : hull.corners)
+        corner = as_eigen(placed(pose, motion::vector_in<double>(corner)));
+    return hull;
 }
 
 RangePair::Hull RangePair::fixed_hull(const RestPlaces& places) const {
-    if (task_.kind == Task::Kind::self) {
-        const std::size_t element = prepared_->self_pairs[task_.first].fixed;
-        const Prepared::Extent& extent = prepared_->extents[element];
-        const GeneralPose<double> pose = places.element(element);
-        return {placed_corners(extent, pose), centre_at(extent, pose), extent.radius};
+    if (task_.kind == Task::Kind::self)
+        return hull_of(prepared_->self_pairs[task_.first].fixed, places);
+    const RobotChecker::Prepared::Obstacle& obstacle = prepared_->obstacles[task_.second];
+    return {corners_of(obstacle.box.center(), 0.5 * obstacle.box.sizes()), obstacle.centre, obstacle.radius};
+}
+
+double RangePair::rounding(const RestPlaces& places) const {
+    const double fixed = task_.kind == Task::Kind::self
+                             ? prepared_->extents[prepared_->self_pairs[task_.first].fixed].size
+                             : prepared_->obstacles[task_.second].size;
+    return rounding_of_places * (places.size() + prepared_->extents[prepared_->moving_index(task_)].size + fixed);
+}
+
+std::vector<SmallMotion::Step> RangePair::steps_in_world(const RestPlaces& places, std::span<const double> half) const {
+    std::vector<SmallMotion::Step> steps;
+    for (const Step& step : steps_) {
+        const GeneralPose<double>& pose = places.group(step.group);
+        steps.push_back({as_eigen(rotated(pose.rotation, step.direction)), as_eigen(pose.translation),
+                         step.multiplier * half[step.axis] * outward_sum, step.turns});
     }
-    const Prepared::Obstacle& obstacle = prepared_->obstacles[task_.second];
-    const scene::Box& box = obstacle.box;
-    return {corners_of(box.center(), 0.5 * box.sizes()), obstacle.centre, obstacle.radius};
+    return steps;
 }
 
-/// The greatest distance of a point of the body from the axis of a step.
-double RangePair::distance(const Hull& hull, const Step& step, const RestPlaces& places) {
-    const GeneralPose<double>& pose = places.group(step.group);
-    const Vector3d origin = as_eigen(pose.translation), axis = as_eigen(rotated(pose.rotation, step.direction));
-    const auto from_axis = [&](const Vector3d& point) { return (point - origin).cross(axis).norm(); };
-    double by_box = 0;
-    for (const Vector3d& corner : hull.corners)
-        by_box = std::max(by_box, from_axis(corner));
-    const double by_ball = from_axis(hull.centre) + hull.radius;
-    return std::min(by_box, by_ball) * outward_sum +
-           rounding_of_places * (places.size() + origin.lpNorm<1>() + hull.centre.lpNorm<1>() + hull.radius);
+/// The next step away from the points, where those before have moved them by at most `ways.sum`. A turn changes the
+/// directions of these displacements and of its own: that is what is beyond the first order.
+void RangePair::add_way(Ways& ways, const SmallMotion::Step& step, const Hull& hull, double rounding) {
+    double way = step.way;
+    if (step.turns) {
+        const auto from_axis = [&](const Vector3d& point) { return (point - step.origin).cross(step.axis).norm(); };
+        double by_box = 0;
+        for (const Vector3d& corner : hull.corners)
+            by_box = std::max(by_box, from_axis(corner));
+        const double by_ball = from_axis(hull.centre) + hull.radius;
+        way *= (std::min(by_box, by_ball) + ways.sum + rounding) * outward_sum;
+        ways.rest += step.way * (ways.sum + 0.5 * way) * outward_sum;
+    }
+    ways.sum += way;
+    ways.of_axes.push_back(way);
 }
 
-/// What a step adds, where the steps between it and the points have moved them by at most `so_far`.
-double RangePair::add_way(std::vector<double>& ways, const Step& step, const Hull& hull, double so_far,
-                          const RestPlaces& places, std::span<const double> half) const {
-    const double reach = step.turns ? distance(hull, step, places) + so_far : 1;
-    const double way = step.multiplier * half[step.axis] * reach * outward_sum;
-    ways[step.axis] += way;
-    return way;
-}
-
-std::vector<double> RangePair::displacements(const RestPlaces& places, std::span<const double> half) const {
-    std::vector<double> of_moving(half.size()), of_fixed(half.size());
+/// Steps are seen from the fixed body in its frame.
+PairInCell RangePair::in_cell(const RestPlaces& places, std::span<const double> half) const {
+    PairInCell cell;
+    cell.ways.resize(half.size());
     if (steps_.empty())
-        return of_moving;
-    const Hull moving = moving_hull(places), fixed = fixed_hull(places);
-    double sum_of_moving = 0, sum_of_fixed = 0;
+        return cell;
+    cell.motion.steps = steps_in_world(places, half);
+    const Hull moving = hull_of(prepared_->moving_index(task_), places), fixed = fixed_hull(places);
+    const double slack = rounding(places);
+    Ways of_moving, of_fixed;
     for (std::size_t i = steps_.size(); i-- > 0;)
-        sum_of_moving += add_way(of_moving, steps_[i], moving, sum_of_moving, places, half);
-    for (const Step& step : steps_)
-        sum_of_fixed += add_way(of_fixed, step, fixed, sum_of_fixed, places, half);
-    return sum_of_fixed < sum_of_moving ? of_fixed : of_moving;
+        add_way(of_moving, cell.motion.steps[i], moving, slack);
+    std::ranges::reverse(of_moving.of_axes);
+    for (const SmallMotion::Step& step : cell.motion.steps)
+        add_way(of_fixed, step, fixed, slack);
+    cell.motion.way_of_moving = of_moving.sum;
+    cell.motion.way_of_fixed = of_fixed.sum;
+    cell.motion.rest_of_moving = of_moving.rest;
+    cell.motion.rest_of_fixed = of_fixed.rest;
+    const Ways& less = of_fixed.sum < of_moving.sum ? of_fixed : of_moving;
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+        cell.ways[steps_[i].axis] += less.of_axes[i];
+    const GeneralPose<double> frame = fixed_pose(places);
+    for (SmallMotion::Step& step : cell.motion.steps) {
+        const motion::Vector3<double> origin = motion::vector_in<double>(step.origin) - frame.translation;
+        step.axis = as_eigen(rotated(frame.rotation.conjugate(), motion::vector_in<double>(step.axis)));
+        step.origin = as_eigen(rotated(frame.rotation.conjugate(), origin));
+    }
+    return cell;
 }
 
-std::vector<RangePair> pairs_of_box(const Prepared& prepared, std::span<const std::size_t> axis_of) {
+bool RangePair::is_far_apart(const RestPlaces& places, const PairInCell& cell) const {
+    const std::size_t element = prepared_->moving_index(task_);
+    const RobotChecker::Prepared::Extent& extent = prepared_->extents[element];
+    const Vector3d moving = centre_at(extent, places.element(element));
+    Vector3d fixed;
+    double radius = 0;
+    if (task_.kind == Task::Kind::self) {
+        const std::size_t other = prepared_->self_pairs[task_.first].fixed;
+        fixed = centre_at(prepared_->extents[other], places.element(other));
+        radius = prepared_->extents[other].radius;
+    } else {
+        fixed = prepared_->obstacles[task_.second].centre;
+        radius = prepared_->obstacles[task_.second].radius;
+    }
+    return (moving - fixed).norm() > (extent.radius + radius + margin_ + cell.way()) * outward_sum + rounding(places);
+}
+
+std::vector<RangePair> pairs_of_box(const RobotChecker::Prepared& prepared, std::span<const std::size_t> axis_of) {
     std::vector<RangePair> pairs;
     for (std::size_t i = 0; i < prepared.self_pairs.size(); ++i)
         pairs.emplace_back(prepared, Task{Task::Kind::self, i, 0, {}}, axis_of);

@@ -5,7 +5,9 @@
 #include "chasles/robot/group_motion.h"
 #include "chasles/robot/pair_axes.h"
 #include "chasles/robot/prepared.h"
+#include "chasles/robot/small_motions.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,16 @@ private:
     double size_ = 0;
 };
 
+/// A pair at the middle of a cell.
+struct PairInCell {
+    SmallMotion motion;
+    /// Of each axis of the box: a bound of what it moves.
+    std::vector<double> ways;
+
+    /// A bound of what all axes move.
+    [[nodiscard]] double way() const { return std::min(motion.way_of_moving, motion.way_of_fixed); }
+};
+
 /// A pair of the checker, with the joints of the box between both bodies.
 class RangePair {
 public:
@@ -36,15 +48,12 @@ public:
 
     [[nodiscard]] const Task& task() const { return task_; }
     [[nodiscard]] double margin() const { return margin_; }
-    /// No point of one body is deeper in the other one, or nearer to it by more: bodies may come apart by a larger
-    /// displacement.
-    [[nodiscard]] double greatest_depth() const { return greatest_depth_; }
     /// The moving element in the frame of the fixed body.
     [[nodiscard]] Eigen::Isometry3d relative(const RestPlaces& places) const;
-
-    /// For each axis of the box: bounds how far it moves any point of one body, as seen from the other one, where each
-    /// axis is no farther than `half` from its value at `places`. The sum over some axes bounds what these do.
-    [[nodiscard]] std::vector<double> displacements(const RestPlaces& places, std::span<const double> half) const;
+    /// How each axis moves the bodies, where it is no farther than `half` from its value at `places`.
+    [[nodiscard]] PairInCell in_cell(const RestPlaces& places, std::span<const double> half) const;
+    /// Whether two balls prove the pair farther apart than its margin in the cell.
+    [[nodiscard]] bool is_far_apart(const RestPlaces& places, const PairInCell& cell) const;
 
 private:
     /// A step of a joint on the way from the fixed body to the moving one.
@@ -55,24 +64,31 @@ private:
         bool turns;
         motion::Vector3<double> direction; ///< in the frame of the group
     };
-    /// A body: the corners of a box around it, and a ball.
+    /// A body in the world: the corners of a box around it, and a ball.
     struct Hull {
         std::array<Eigen::Vector3d, 8> corners;
         Eigen::Vector3d centre;
         double radius;
     };
+    /// Bounds of displacements of the points of one body.
+    struct Ways {
+        std::vector<double> of_axes;
+        double sum = 0;
+        double rest = 0; ///< beyond the first order
+    };
     void add_steps(std::size_t from, std::size_t to, std::span<const std::size_t> axis_of);
     void add(std::size_t group, std::span<const std::size_t> axis_of);
-    [[nodiscard]] Hull moving_hull(const RestPlaces& places) const;
+    [[nodiscard]] Hull hull_of(std::size_t element, const RestPlaces& places) const;
     [[nodiscard]] Hull fixed_hull(const RestPlaces& places) const;
-    [[nodiscard]] static double distance(const Hull& hull, const Step& step, const RestPlaces& places);
-    [[nodiscard]] double add_way(std::vector<double>& ways, const Step& step, const Hull& hull, double so_far,
-                                 const RestPlaces& places, std::span<const double> half) const;
+    static void add_way(Ways& ways, const SmallMotion::Step& step, const Hull& hull, double rounding);
+    [[nodiscard]] std::vector<SmallMotion::Step> steps_in_world(const RestPlaces& places,
+                                                                std::span<const double> half) const;
+    [[nodiscard]] motion::GeneralPose<double> fixed_pose(const RestPlaces& places) const;
+    [[nodiscard]] double rounding(const RestPlaces& places) const;
 
     const RobotChecker::Prepared* prepared_;
     Task task_;
     double margin_ = 0;
-    double greatest_depth_ = 0;
     std::vector<Step> steps_; ///< from the fixed body outwards
 };
 

@@ -70,7 +70,7 @@ bool RangeRounds::run_round() {
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (outcomes[i]) {
             ++cells_;
-            take(std::move(*outcomes[i]));
+            take(std::move(cells[i]), std::move(*outcomes[i]));
         } else {
             is_whole = false;
             add(std::move(cells[i]));
@@ -78,24 +78,20 @@ bool RangeRounds::run_round() {
     return is_whole && !is_cancelled();
 }
 
-void RangeRounds::take(RangeSearch::Outcome outcome) {
+void RangeRounds::take(RangeCell cell, RangeSearch::Outcome outcome) {
     if (outcome.witness && (!witness_ || (!witness_->overlaps && outcome.witness->overlaps)))
         witness_ = std::move(outcome.witness);
-    for (RangeCell& cell : outcome.clear) {
+    if (outcome.is_clear || outcome.is_in_contact) {
         cell.pairs.reset();
         open_share_ -= cell.share();
-        clear_.push_back(std::move(cell));
-    }
-    if (outcome.contact) {
-        outcome.contact->pairs.reset();
-        open_share_ -= outcome.contact->share();
-        contact_.push_back(std::move(*outcome.contact));
+        (outcome.is_clear ? clear_ : contact_).push_back(std::move(cell));
+        return;
     }
     if (outcome.open.size() == 1)
         indivisible_.push_back(std::move(outcome.open.front()));
     else
-        for (RangeCell& cell : outcome.open)
-            add(std::move(cell));
+        for (RangeCell& half : outcome.open)
+            add(std::move(half));
 }
 
 } // namespace chasles::robot

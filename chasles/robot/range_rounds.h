@@ -43,7 +43,7 @@ private:
     };
     void add(RangeCell cell);
     bool run_round();
-    void take(RangeSearch::Outcome outcome);
+    void take(RangeCell cell, RangeSearch::Outcome outcome);
 
     const RangeSearch& search_;
     const RangeOptions& options_;

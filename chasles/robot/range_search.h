@@ -1,5 +1,5 @@
-// What is proven of one box of configurations of a robot: a cell. One joint is swept exactly along the middle of the
-// cell; the others move bodies by less than a margin. Source: docs/derivations/40-ranges.md.
+// What is proven of one box of configurations of a robot: a cell. At its middle, every pair has to be farther apart, or
+// deeper in each other, than the joints of the cell may move it. Source: docs/derivations/40-ranges.md.
 #pragma once
 
 #include "chasles/robot/range.h"
@@ -26,8 +26,12 @@ struct RangeCell {
         [[nodiscard]] std::uint64_t width() const { return upper - lower; }
     };
     std::vector<Side> sides;
-    /// The pairs that are not proven apart in the cell, by their index.
-    std::shared_ptr<const std::vector<std::uint32_t>> pairs;
+    /// A pair that is not proven apart in the cell, by its index, and two faces that come near.
+    struct NearPair {
+        std::uint32_t index = 0;
+        std::optional<NearFaces> faces = {};
+    };
+    std::shared_ptr<const std::vector<NearPair>> pairs;
 
     /// Of the whole box, as a part of its volume.
     [[nodiscard]] double share() const {
@@ -62,13 +66,12 @@ public:
     [[nodiscard]] RangeCell whole() const;
     [[nodiscard]] ConfigurationBox box_of(const RangeCell& cell) const;
 
-    /// What is proven of a cell. The clear parts, the rest if it is in contact everywhere, and the open parts make up
-    /// the cell.
+    /// What is proven of a cell.
     struct Outcome {
-        std::vector<RangeCell> clear;
-        std::vector<RangeCell> open; ///< more than one, unless the cell cannot be divided
-        std::optional<RangeCell> contact;
-        std::optional<RangeWitness> witness; ///< in the rest
+        bool is_clear = false;
+        bool is_in_contact = false;
+        std::vector<RangeCell> open = {};            ///< otherwise: both halves, or the cell if it cannot be divided
+        std::optional<RangeWitness> witness = {}; ///< in the middle
     };
     /// `seeks_witness`: one is looked for in the middle, if the cell is not clear. Throws Cancelled.
     [[nodiscard]] Outcome examine(const RangeCell& cell, bool seeks_witness) const;
@@ -76,19 +79,15 @@ public:
     [[nodiscard]] RestAnswer at(const Configuration& configuration) const;
 
 private:
-    using Pairs = std::vector<std::uint32_t>;
+    using Pairs = std::vector<RangeCell::NearPair>;
     struct Middle;
-    struct Sweep;
 
     [[nodiscard]] double value(std::size_t axis, std::uint64_t place) const;
-    [[nodiscard]] Configuration middle_of(const RangeCell& cell) const;
-    [[nodiscard]] JointPath path_along(const Configuration& from, std::size_t axis, double start, double end) const;
-    [[nodiscard]] Middle middle(const RangeCell& cell, const Pairs& pairs) const;
-    [[nodiscard]] Sweep sweep(const RangeCell& cell, const Middle& middle, std::size_t axis, const Pairs& pairs) const;
-    [[nodiscard]] bool is_in_contact(const Middle& middle, const Pairs& pairs, std::optional<RangeWitness>& found) const;
+    [[nodiscard]] Middle middle_of(const RangeCell& cell) const;
+    [[nodiscard]] PairAtRest at_middle(const RangePair& pair, const PairInCell& cell, const Middle& middle) const;
+    [[nodiscard]] bool is_in_contact(const Middle& middle, std::optional<RangeWitness>& found) const;
     [[nodiscard]] RestAnswer at_rest(const Configuration& at, const Pairs& pairs) const;
-    [[nodiscard]] std::uint64_t place_before(const RangeCell::Side& side, std::size_t axis, double time) const;
-    [[nodiscard]] std::uint64_t place_after(const RangeCell::Side& side, std::size_t axis, double time) const;
+    [[nodiscard]] std::vector<RangeCell> halves(const RangeCell& cell, const Middle& middle) const;
     [[nodiscard]] const OverlapSurface& moving_surface(const RangePair& pair) const;
     [[nodiscard]] const OverlapSurface& fixed_surface(const RangePair& pair) const;
 
