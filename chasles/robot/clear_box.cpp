@@ -62,16 +62,16 @@ private:
     std::size_t cells_ = 0;
 };
 
-/// Whether every cell of a box is proven clear. One that certainly touches ends the search.
+/// Whether every cell of a box is proven clear. A witness ends the search.
 bool Growing::is_clear(const ConfigurationBox& box) {
     const RangeSearch search(world_, box);
     RangeOptions options = options_;
     options.most_cells = std::min(cells_of_proof, options_.most_cells - cells_);
     options.progress = {};
     RangeRounds rounds(search, options);
-    const bool is_whole = rounds.run([&] { return rounds.witness() || !rounds.contact().empty(); });
-    cells_ += rounds.cells();
-    return is_whole && !rounds.witness() && rounds.open().empty();
+    rounds.run([&] { return rounds.witness().has_value(); });
+    cells_ += rounds.count();
+    return rounds.is_clear();
 }
 
 /// The largest box of the shape of the given one, about the configuration, up to the tolerance.

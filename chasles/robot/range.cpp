@@ -58,7 +58,7 @@ ConfigurationBox box_of_joints(const Robot& robot, std::span<const std::string> 
 
 namespace {
 
-/// Joins boxes that have a side in common, axis by axis, until no two have. Then the largest ones come first.
+/// Joins boxes that have a side in common, axis by axis, until no two have. The largest ones come first.
 class JoinedCells {
 public:
     explicit JoinedCells(std::vector<RangeCell> cells) : cells_(std::move(cells)) {
@@ -119,7 +119,7 @@ private:
 RangeVerdict verdict_of(const RangeRounds& rounds) {
     if (rounds.witness())
         return RangeVerdict::contact;
-    return rounds.open().empty() ? RangeVerdict::clear : RangeVerdict::open;
+    return rounds.is_clear() ? RangeVerdict::clear : RangeVerdict::open;
 }
 
 } // namespace
@@ -135,7 +135,9 @@ RobotRange RobotChecker::range(const ConfigurationBox& box, const RangeOptions& 
     const RangeSearch search(world, box);
     RangeRounds rounds(search, options);
     rounds.run([&] { return rounds.open_share() <= options.tolerance && rounds.witness(); });
-    const JoinedCells clear(rounds.clear()), contact(rounds.contact()), open(rounds.open());
+    using Kind = RangeRounds::Kind;
+    const JoinedCells clear(rounds.cells(Kind::clear)), contact(rounds.cells(Kind::contact)),
+        open(rounds.cells(Kind::open));
     RobotRange found;
     found.verdict = verdict_of(rounds);
     found.joints = search.axes();
@@ -145,7 +147,7 @@ RobotRange RobotChecker::range(const ConfigurationBox& box, const RangeOptions& 
     found.clear_share = clear.share();
     found.contact_share = contact.share();
     found.open_share = open.share();
-    found.cells = rounds.cells();
+    found.cells = rounds.count();
     found.untested = prepared_->untested;
     if (rounds.witness()) {
         found.witness = rounds.witness()->configuration;

@@ -71,7 +71,8 @@ void RangePair::add_steps(std::size_t from, std::size_t to, std::span<const std:
         add(down[i], axis_of);
 }
 
-/// The turn of a group is its last step, so its axis goes through the origin of the group and turns with it.
+/// The turn of a group is its last step, so its axis goes through the origin of the group. The directions of all steps
+/// are those of the frame of the joint, which none of them turns but the last one.
 void RangePair::add(std::size_t group, std::span<const std::size_t> axis_of) {
     const RigidGroup& rigid = prepared_->model().groups[group];
     for (const JointStep& step : rigid.steps)
@@ -120,8 +121,10 @@ double RangePair::rounding(const RestPlaces& places) const {
 std::vector<SmallMotion::Step> RangePair::steps_in_world(const RestPlaces& places, std::span<const double> half) const {
     std::vector<SmallMotion::Step> steps;
     for (const Step& step : steps_) {
-        const GeneralPose<double>& pose = places.group(step.group);
-        steps.push_back({as_eigen(rotated(pose.rotation, step.direction)), as_eigen(pose.translation),
+        const RigidGroup& group = prepared_->model().groups[step.group];
+        const motion::Quaternion<double> frame =
+            places.group(group.parent).rotation * group.origin.in_double.rotation;
+        steps.push_back({as_eigen(rotated(frame, step.direction)), as_eigen(places.group(step.group).translation),
                          step.multiplier * half[step.axis] * outward_sum, step.turns});
     }
     return steps;

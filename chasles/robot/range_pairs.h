@@ -62,7 +62,7 @@ private:
         std::size_t group;
         double multiplier;
         bool turns;
-        motion::Vector3<double> direction; ///< in the frame of the group
+        motion::Vector3<double> direction; ///< in the frame of the joint
     };
     /// A body in the world: the corners of a box around it, and a ball.
     struct Hull {

@@ -26,35 +26,60 @@ RangeRounds::RangeRounds(const RangeSearch& search, const RangeOptions& options)
     add(search.whole());
 }
 
-void RangeRounds::add(RangeCell cell) {
+void RangeRounds::wait(std::size_t node, RangeCell cell) {
     const double share = cell.share();
-    waiting_.push_back({share, made_++, std::move(cell)});
+    waiting_.push_back({share, node, std::move(cell)});
     std::push_heap(waiting_.begin(), waiting_.end());
 }
 
-std::vector<RangeCell> RangeRounds::open() const {
-    std::vector<RangeCell> cells = indivisible_;
-    for (const Waiting& waiting : waiting_)
-        cells.push_back(waiting.cell);
-    return cells;
+void RangeRounds::add(RangeCell cell) {
+    nodes_.push_back({cell.sides});
+    wait(nodes_.size() - 1, std::move(cell));
 }
 
-bool RangeRounds::run(const std::function<bool()>& is_enough) {
-    while (!waiting_.empty() && !is_enough() && cells_ < options_.most_cells) {
-        if (!run_round())
-            return false;
-        if (options_.progress && !options_.progress(1 - open_share_))
-            return false;
+bool RangeRounds::is_clear() const {
+    return joined_kinds().front() == Kind::clear;
+}
+
+/// Of each node: its own, or that of both halves if they have the same.
+std::vector<RangeRounds::Kind> RangeRounds::joined_kinds() const {
+    std::vector<Kind> kinds(nodes_.size());
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        const Node& node = nodes_[i];
+        kinds[i] = node.kind;
+        if (node.kind == Kind::divided && kinds[node.first_half] == kinds[node.first_half + 1])
+            kinds[i] = kinds[node.first_half];
     }
-    return true;
+    return kinds;
+}
+
+std::vector<RangeCell> RangeRounds::cells(Kind kind) const {
+    const std::vector<Kind> kinds = joined_kinds();
+    std::vector<RangeCell> found;
+    std::vector<std::size_t> visited{0};
+    while (!visited.empty()) {
+        const std::size_t i = visited.back();
+        visited.pop_back();
+        if (kinds[i] == kind)
+            found.push_back({nodes_[i].sides, nullptr});
+        else if (kinds[i] == Kind::divided)
+            visited.insert(visited.end(), {nodes_[i].first_half + 1, nodes_[i].first_half});
+    }
+    return found;
+}
+
+void RangeRounds::run(const std::function<bool()>& is_enough) {
+    while (!waiting_.empty() && !is_enough() && count_ < options_.most_cells)
+        if (!run_round() || (options_.progress && !options_.progress(1 - open_share_)))
+            return;
 }
 
 /// The largest cells. What the limit of the thread leaves unexamined waits again.
 bool RangeRounds::run_round() {
-    std::vector<RangeCell> cells;
-    while (cells.size() < std::min(cells_of_round, options_.most_cells - cells_) && !waiting_.empty()) {
+    std::vector<Waiting> cells;
+    while (cells.size() < std::min(cells_of_round, options_.most_cells - count_) && !waiting_.empty()) {
         std::pop_heap(waiting_.begin(), waiting_.end());
-        cells.push_back(std::move(waiting_.back().cell));
+        cells.push_back(std::move(waiting_.back()));
         waiting_.pop_back();
     }
     const bool seeks_witness = !witness_ || !witness_->overlaps;
@@ -62,36 +87,35 @@ bool RangeRounds::run_round() {
     parallel_for(options_.threads, cells.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             try {
-                outcomes[i] = search_.examine(cells[i], seeks_witness);
+                outcomes[i] = search_.examine(cells[i].cell, seeks_witness);
             } catch (const Cancelled&) { // the cell stays as it is
             }
     });
     bool is_whole = true;
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (outcomes[i]) {
-            ++cells_;
-            take(std::move(cells[i]), std::move(*outcomes[i]));
+            ++count_;
+            take(cells[i].node, std::move(*outcomes[i]));
         } else {
             is_whole = false;
-            add(std::move(cells[i]));
+            wait(cells[i].node, std::move(cells[i].cell));
         }
     return is_whole && !is_cancelled();
 }
 
-void RangeRounds::take(RangeCell cell, RangeSearch::Outcome outcome) {
+/// A cell that cannot be divided stays open.
+void RangeRounds::take(std::size_t node, RangeSearch::Outcome outcome) {
     if (outcome.witness && (!witness_ || (!witness_->overlaps && outcome.witness->overlaps)))
         witness_ = std::move(outcome.witness);
     if (outcome.is_clear || outcome.is_in_contact) {
-        cell.pairs.reset();
-        open_share_ -= cell.share();
-        (outcome.is_clear ? clear_ : contact_).push_back(std::move(cell));
-        return;
-    }
-    if (outcome.open.size() == 1)
-        indivisible_.push_back(std::move(outcome.open.front()));
-    else
-        for (RangeCell& half : outcome.open)
+        nodes_[node].kind = outcome.is_clear ? Kind::clear : Kind::contact;
+        open_share_ -= RangeCell{nodes_[node].sides, nullptr}.share();
+    } else if (!outcome.halves.empty()) {
+        nodes_[node].kind = Kind::divided;
+        nodes_[node].first_half = nodes_.size();
+        for (RangeCell& half : outcome.halves)
             add(std::move(half));
+    }
 }
 
 } // namespace chasles::robot

@@ -149,9 +149,8 @@ bool RangeSearch::is_in_contact(const Middle& middle, std::optional<RangeWitness
     return false;
 }
 
-/// Halves of the side that moves points of some pair farthest; the cell itself if its sides are as narrow as the grid.
+/// Halves of the side that moves points of some pair farthest; none if all sides are as narrow as the grid.
 std::vector<RangeCell> RangeSearch::halves(const RangeCell& cell, const Middle& middle) const {
-    RangeCell rest{cell.sides, std::make_shared<const Pairs>(middle.pairs)};
     std::size_t widest = axes_.size();
     double most = -1;
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
@@ -164,8 +163,9 @@ std::vector<RangeCell> RangeSearch::halves(const RangeCell& cell, const Middle& 
         }
     }
     if (widest == axes_.size())
-        return {std::move(rest)};
-    std::vector<RangeCell> both{rest, rest};
+        return {};
+    const auto pairs = std::make_shared<const Pairs>(middle.pairs);
+    std::vector<RangeCell> both{{cell.sides, pairs}, {cell.sides, pairs}};
     RangeCell::Side &first = both[0].sides[widest], &second = both[1].sides[widest];
     first.upper = second.lower = first.lower + first.width() / 2;
     return both;
@@ -182,7 +182,7 @@ RangeSearch::Outcome RangeSearch::examine(const RangeCell& cell, bool seeks_witn
         return outcome;
     if (seeks_witness)
         outcome.witness = at_rest(middle.at, middle.pairs).witness;
-    outcome.open = halves(cell, middle);
+    outcome.halves = halves(cell, middle);
     return outcome;
 }
 

@@ -70,7 +70,7 @@ public:
     struct Outcome {
         bool is_clear = false;
         bool is_in_contact = false;
-        std::vector<RangeCell> open = {};            ///< otherwise: both halves, or the cell if it cannot be divided
+        std::vector<RangeCell> halves = {};       ///< otherwise; none if the cell cannot be divided
         std::optional<RangeWitness> witness = {}; ///< in the middle
     };
     /// `seeks_witness`: one is looked for in the middle, if the cell is not clear. Throws Cancelled.

@@ -243,15 +243,13 @@ public:
             return false;
         const Vector3d wide = Vector3d::Constant(std::max(reach_, 0.0));
         const Eigen::AlignedBox3d around(outer_.box().min() - wide, outer_.box().max() + wide);
+        const Eigen::AlignedBox3d seen = box_around(around, to_outer_.inverse()); // from the inner body
         std::vector<Vector3d> points;
-        Eigen::AlignedBox3d box;
-        for (const Vector3d& point : inner_.points()) {
-            const Vector3d place = moved(to_outer_, point);
-            box.extend(place);
-            if (around.contains(place))
-                points.push_back(place);
-        }
-        const Vector3d middle = box.intersection(around).center();
+        for (const Vector3d& point : inner_.points())
+            if (seen.contains(point))
+                if (const Vector3d place = moved(to_outer_, point); around.contains(place))
+                    points.push_back(place);
+        const Vector3d middle = box_around(inner_.box(), to_outer_).intersection(around).center();
         const std::size_t tries = std::min(most_tries, points.size());
         std::ranges::partial_sort(points, points.begin() + std::ptrdiff_t(tries), {},
                                   [&](const Vector3d& point) { return (point - middle).squaredNorm(); });
@@ -262,6 +260,11 @@ public:
 private:
     static Vector3d moved(const Eigen::Isometry3d& pose, const Vector3d& point) {
         return contact::product(pose.linear(), point) + pose.translation();
+    }
+    static Eigen::AlignedBox3d box_around(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose) {
+        const Vector3d centre = moved(pose, box.center());
+        const Vector3d half = pose.linear().cwiseAbs() * (0.5 * box.sizes());
+        return {centre - half, centre + half};
     }
     [[nodiscard]] Vector3d in_fixed(const Vector3d& in_outer) const { return moved(to_fixed_, in_outer); }
     [[nodiscard]] double way(const Vector3d& in_outer) const {
