@@ -139,12 +139,12 @@ void examine(Draw& draw, const NamedRobot& named, std::size_t count_of_boxes, st
     const Refuted clear = refuted(draw, checker, peer, found.clear, samples, true);
     const Refuted contact = refuted(draw, checker, peer, found.contact, samples / 10, false);
     const bool is_witness_free = found.witness && checker.is_clear(*found.witness);
-    std::printf("%-8s %-28s %6.2f s %7zu cells  clear %6.2f %% contact %6.2f %% open %6.2f %%  %5zu boxes  refuted %zu + "
-                "%zu of %zu clear, %zu of %zu in contact%s\n",
-                named.name.c_str(), (joints[0] + ", " + joints[1]).c_str(), seconds, found.cells,
-                100 * found.clear_share, 100 * found.contact_share, 100 * found.open_share, found.clear.size(),
-                clear.by_fcl, clear.by_checker, clear.samples, contact.by_checker, contact.samples,
-                is_witness_free ? "  WITNESS IS CLEAR" : "");
+    std::printf(
+        "%-8s %-28s %6.2f s %7zu cells  clear %6.2f %% contact %6.2f %% open %6.2f %%  %5zu boxes  refuted %zu + "
+        "%zu of %zu clear, %zu of %zu in contact%s\n",
+        named.name.c_str(), (joints[0] + ", " + joints[1]).c_str(), seconds, found.cells, 100 * found.clear_share,
+        100 * found.contact_share, 100 * found.open_share, found.clear.size(), clear.by_fcl, clear.by_checker,
+        clear.samples, contact.by_checker, contact.samples, is_witness_free ? "  WITNESS IS CLEAR" : "");
     std::fflush(stdout);
 }
 
@@ -163,7 +163,8 @@ int main(int count, char** arguments) {
         const std::size_t variables = named.robot.variables().size();
         for (int i = 0; i < 10; ++i) {
             const std::size_t a = std::size_t(draw.between(0, double(variables))) % variables;
-            const std::size_t b = (a + 1 + std::size_t(draw.between(0, double(variables - 1))) % (variables - 1)) % variables;
+            const std::size_t b =
+                (a + 1 + std::size_t(draw.between(0, double(variables - 1))) % (variables - 1)) % variables;
             const std::vector<std::string> joints{named.robot.variables()[a].name, named.robot.variables()[b].name};
             examine(draw, named, 10, joints, samples);
         }

@@ -1,6 +1,6 @@
 // chasles range: which configurations of some joints of a robot are clear, proven.
-#include "chasles/io/text_scan.h"
 #include "chasles/robot/range.h"
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/joint_trajectory.h"
@@ -85,8 +85,8 @@ RangeQuestion read_range_question(const RangeCommand& options) {
     ConfigurationBox box = at_place("--joints", [&] { return box_of_joints(robot, options.joints, configuration); });
     for (const std::string& warning : robot.warnings_about(std::array{configuration}))
         warnings.push_back("configuration: " + warning);
-    return {std::move(robot), std::move(scene), query,         asked,
-            std::move(configuration), std::move(box), std::move(warnings)};
+    return {std::move(robot), std::move(scene),   query, asked, std::move(configuration),
+            std::move(box),   std::move(warnings)};
 }
 
 std::string box_text(const Robot& robot, const ConfigurationBox& box, const std::vector<std::size_t>& joints) {
@@ -131,12 +131,12 @@ std::string range_text(const RangeQuestion& question, const RobotRange& found,
         text += labelled("proven", fmt::format("{}; the largest: {}", counted(found.clear.size(), "clear box"),
                                                box_text(question.robot, found.clear.front(), found.joints)));
     if (clear_box)
-        text += labelled("clear box", clear_box->verdict == RangeVerdict::clear
-                                          ? box_text(question.robot, clear_box->box, found.joints)
-                                          : "none: the configuration is " +
-                                                std::string(clear_box->verdict == RangeVerdict::contact
-                                                                ? "in contact"
-                                                                : "not decided"));
+        text +=
+            labelled("clear box",
+                     clear_box->verdict == RangeVerdict::clear
+                         ? box_text(question.robot, clear_box->box, found.joints)
+                         : "none: the configuration is " +
+                               std::string(clear_box->verdict == RangeVerdict::contact ? "in contact" : "not decided"));
     return text + labelled("cells", std::to_string(found.cells));
 }
 
@@ -151,7 +151,8 @@ int run_range(const RangeCommand& options) {
     if (!options.plot.empty())
         plot.emplace(options.plot);
     const Interruption interruption;
-    const Limit until_interrupted(std::numeric_limits<double>::infinity(), [] { return !Interruption::is_requested(); });
+    const Limit until_interrupted(std::numeric_limits<double>::infinity(),
+                                  [] { return !Interruption::is_requested(); });
     const RobotRange found = checker.range(question.box, question.options);
     std::optional<ClearBox> clear_box;
     if (options.finds_clear_box && !Interruption::is_requested())
@@ -196,7 +197,8 @@ void add_range(CLI::App& app, Task& task) {
                     "joints stay; otherwise at 0 or their nearest limit")
         ->type_name("FILE [ROW]")
         ->expected(1, 2);
-    command.add_option("--scene", robot.scene, "JSON file of the world, as for `chasles scene`; its bodies stand still")
+    command
+        .add_option("--scene", robot.scene, "JSON file of the world, as for `chasles scene`; its bodies stand still")
         ->type_name("FILE");
     robot.query.margin.clear(); // that of the scene's file
     command
@@ -204,7 +206,8 @@ void add_range(CLI::App& app, Task& task) {
                     "distance of the surfaces that counts as contact; instead of the scene's")
         ->type_name("D");
     command
-        .add_option("--tolerance", options->tolerance, "the search ends when no more than this share of the range is open")
+        .add_option("--tolerance", options->tolerance,
+                    "the search ends when no more than this share of the range is open")
         ->type_name("T")
         ->capture_default_str();
     command.add_flag("--clear-box", options->finds_clear_box,

@@ -29,9 +29,7 @@ public:
     Plane(const ConfigurationBox& whole, const std::vector<std::size_t>& joints)
         : first_(Eigen::Index(joints[0])), second_(Eigen::Index(joints[1])), whole_(whole) {}
 
-    [[nodiscard]] double x(double value) const {
-        return left_of_plane + side_of_plane * share(first_, value);
-    }
+    [[nodiscard]] double x(double value) const { return left_of_plane + side_of_plane * share(first_, value); }
     [[nodiscard]] double y(double value) const { return lower_end - side_of_plane * share(second_, value); }
     [[nodiscard]] std::string box(const ConfigurationBox& box, std::string_view style) const {
         const double left = x(box.lower[first_]), top = y(box.upper[second_]);

@@ -47,8 +47,7 @@ private:
         double step; ///< by which the end may move, as a part of the given box
     };
     [[nodiscard]] bool goes_on() const {
-        return cells_ < options_.most_cells && !is_cancelled() &&
-               (!options_.progress || options_.progress(share()));
+        return cells_ < options_.most_cells && !is_cancelled() && (!options_.progress || options_.progress(share()));
     }
     bool is_clear(const ConfigurationBox& box);
     void grow_evenly(const Configuration& around);

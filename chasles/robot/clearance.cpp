@@ -84,8 +84,8 @@ void ClearanceSearch::visit(std::size_t segment) {
 
 void ClearanceSearch::visit(const SegmentPairs& pairs, const Task& task, std::size_t segment) {
     ++found_.pairs;
-    std::optional<LeastDistance> distance = nearest_.ask(
-        prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), pairs.trajectory(task));
+    std::optional<LeastDistance> distance =
+        nearest_.ask(prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), pairs.trajectory(task));
     if (!distance)
         return;
     distance->time = distance->tau = robot::in_segment(distance->time, task.part);

@@ -22,8 +22,8 @@ namespace {
 
 /// Whether each joint that follows a variable is where it was after a whole turn.
 bool repeats_after_a_turn(const robot::Model& model, std::size_t variable) {
-    return std::ranges::all_of(
-        model.groups, [&](const robot::RigidGroup& group) { return group.repeats_after_a_turn(variable); });
+    return std::ranges::all_of(model.groups,
+                               [&](const robot::RigidGroup& group) { return group.repeats_after_a_turn(variable); });
 }
 
 /// One variable within its limits.

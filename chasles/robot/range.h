@@ -62,9 +62,9 @@ struct [[nodiscard]] RobotRange {
     double clear_share = 0;                ///< of the box, as a part of its volume
     double contact_share = 0;
     double open_share = 1;
-    std::optional<Configuration> witness; ///< something touches there, or is within its margin
-    std::optional<RobotPair> pair;        ///< that does
-    std::size_t cells = 0;                ///< boxes of configurations that were examined
+    std::optional<Configuration> witness;          ///< something touches there, or is within its margin
+    std::optional<RobotPair> pair;                 ///< that does
+    std::size_t cells = 0;                         ///< boxes of configurations that were examined
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
 };
 
@@ -75,9 +75,9 @@ struct [[nodiscard]] ClearBox {
     RangeVerdict verdict = RangeVerdict::open;
     /// Contains the configuration; the configuration alone if no larger box is proven.
     ConfigurationBox box;
-    double share = 0;          ///< of the box that was given, as a part of its volume
-    bool is_maximal = false;   ///< whether no side could be moved outwards by the tolerance and be proven
-    std::size_t cells = 0;     ///< boxes of configurations that were examined
+    double share = 0;        ///< of the box that was given, as a part of its volume
+    bool is_maximal = false; ///< whether no side could be moved outwards by the tolerance and be proven
+    std::size_t cells = 0;   ///< boxes of configurations that were examined
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
 };
 

@@ -87,8 +87,7 @@ GeneralPose<double> RangePair::fixed_pose(const RestPlaces& places) const {
 }
 
 Eigen::Isometry3d RangePair::relative(const RestPlaces& places) const {
-    const GeneralPose<double> pose =
-        seen_from(fixed_pose(places), places.element(prepared_->moving_index(task_)));
+    const GeneralPose<double> pose = seen_from(fixed_pose(places), places.element(prepared_->moving_index(task_)));
     const auto& [w, v] = pose.rotation;
     Eigen::Isometry3d isometry(Eigen::Quaterniond(w, v.x, v.y, v.z).normalized());
     isometry.translation() = as_eigen(pose.translation);
@@ -122,8 +121,7 @@ std::vector<SmallMotion::Step> RangePair::steps_in_world(const RestPlaces& place
     std::vector<SmallMotion::Step> steps;
     for (const Step& step : steps_) {
         const RigidGroup& group = prepared_->model().groups[step.group];
-        const motion::Quaternion<double> frame =
-            places.group(group.parent).rotation * group.origin.in_double.rotation;
+        const motion::Quaternion<double> frame = places.group(group.parent).rotation * group.origin.in_double.rotation;
         steps.push_back({as_eigen(rotated(frame, step.direction)), as_eigen(places.group(step.group).translation),
                          step.multiplier * half[step.axis] * outward_sum, step.turns});
     }

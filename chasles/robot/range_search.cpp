@@ -44,8 +44,7 @@ RangeCell RangeSearch::whole() const {
 double RangeSearch::value(std::size_t axis, std::uint64_t place) const {
     const auto variable = Eigen::Index(axes_[axis]);
     const double lower = box_.lower[variable], upper = box_.upper[variable];
-    return place == grid_size ? upper
-                              : std::min(upper, lower + (upper - lower) * (double(place) / double(grid_size)));
+    return place == grid_size ? upper : std::min(upper, lower + (upper - lower) * (double(place) / double(grid_size)));
 }
 
 ConfigurationBox RangeSearch::box_of(const RangeCell& cell) const {
@@ -85,8 +84,8 @@ RangeSearch::Middle RangeSearch::middle_of(const RangeCell& cell) const {
 }
 
 PairAtRest RangeSearch::at_middle(const RangePair& pair, const PairInCell& cell, const Middle& middle) const {
-    return {moving_surface(pair), fixed_surface(pair),  pair.relative(middle.places),
-            cell.motion,          pair.margin(), middle.places.size()};
+    return {moving_surface(pair), fixed_surface(pair), pair.relative(middle.places),
+            cell.motion,          pair.margin(),       middle.places.size()};
 }
 
 const OverlapSurface& RangeSearch::moving_surface(const RangePair& pair) const {
@@ -102,8 +101,7 @@ const OverlapSurface& RangeSearch::fixed_surface(const RangePair& pair) const {
 /// Bodies that overlap come first.
 RestAnswer RangeSearch::at_rest(const Configuration& at, const Pairs& pairs) const {
     const Model& model = prepared_.model();
-    const JointPath path =
-        JointPath::of_parts({{0, 1, at.transpose()}}, model.quaternions, model.variables_of_paths);
+    const JointPath path = JointPath::of_parts({{0, 1, at.transpose()}}, model.quaternions, model.variables_of_paths);
     const SegmentPairs rest(prepared_, path, 0);
     RestAnswer answer;
     for (const RangeCell::NearPair& near : pairs) {
@@ -113,8 +111,9 @@ RestAnswer RangeSearch::at_rest(const Configuration& at, const Pairs& pairs) con
         options.margin = pairs_[near.index].margin();
         const Body &moving = prepared_.moving(task).shape.body(), &fixed = prepared_.fixed_shape(task).body();
         const auto trajectory = rest.trajectory(task);
-        const FirstContact found =
-            rest.naming(task, [&] { return query::answer({moving, fixed, trajectory, options}); });
+        const FirstContact found = rest.naming(task, [&] {
+            return query::answer({moving, fixed, trajectory, options});
+        });
         answer.is_clear = answer.is_clear && found.verdict == Verdict::clear;
         if (found.verdict != Verdict::contact_at_start || !found.certain)
             continue;

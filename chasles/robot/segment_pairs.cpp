@@ -94,8 +94,7 @@ RobotPair name_of(const RobotChecker::Prepared& prepared, const Task& task) {
     if (pair.is_with_scene)
         pair.second = prepared.bodies[prepared.body_of(task)].name;
     else
-        std::tie(pair.second, pair.second_shape) =
-            model.name_of(model.elements[prepared.self_pairs[task.first].fixed]);
+        std::tie(pair.second, pair.second_shape) = model.name_of(model.elements[prepared.self_pairs[task.first].fixed]);
     return pair;
 }
 

@@ -23,8 +23,8 @@ constexpr double rounding_share = 1e-9;
 constexpr std::size_t most_tries = 24;
 
 double rounding_of(const PairAtRest& pair) {
-    return rounding_share *
-               (pair.size + pair.relative.translation().lpNorm<1>() + pair.moving.size() + pair.fixed.size() + pair.margin) +
+    return rounding_share * (pair.size + pair.relative.translation().lpNorm<1>() + pair.moving.size() +
+                             pair.fixed.size() + pair.margin) +
            pair.moving.warp() + pair.fixed.warp();
 }
 
@@ -47,7 +47,8 @@ Vector3d between_segments(const Vector3d& p, const Vector3d& along_p, const Vect
     return apart + s * along_p - t * along_q;
 }
 
-/// From the second triangle to the first one, near the shortest way. Any vector will do: what counts is the gap along it.
+/// From the second triangle to the first one, near the shortest way. Any vector will do: what counts is the gap along
+/// it.
 Vector3d between_triangles(const Triangle& first, const Triangle& second) {
     Vector3d least = first[0] - second[0];
     double square = least.squaredNorm();
@@ -59,8 +60,7 @@ Vector3d between_triangles(const Triangle& first, const Triangle& second) {
     };
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            take(between_segments(first[i], first[(i + 1) % 3] - first[i], second[k],
-                                  second[(k + 1) % 3] - second[k]));
+            take(between_segments(first[i], first[(i + 1) % 3] - first[i], second[k], second[(k + 1) % 3] - second[k]));
     for (std::size_t i = 0; i < 3; ++i) {
         take(first[i] - nearest_on(second, first[i]));
         take(nearest_on(first, second[i]) - second[i]);
@@ -130,8 +130,8 @@ private:
         return gap > motion_.way_along(direction, moving.centre, moving.half.norm()) + motion_.rest_of_moving ||
                gap > motion_.way_along(direction, fixed.centre, fixed.half.norm()) + motion_.rest_of_fixed;
     }
-    /// Of boxes in the fixed frame; the sides of the moving one are those of the moving frame. Along the shortest way between
-    /// boxes aligned with the fixed frame, and along the last direction that has separated faces.
+    /// Of boxes in the fixed frame; the sides of the moving one are those of the moving frame. Along the shortest way
+    /// between boxes aligned with the fixed frame, and along the last direction that has separated faces.
     [[nodiscard]] bool are_apart(const Box& moving, const Box& fixed) const {
         const Vector3d apart = moving.centre - fixed.centre;
         const Vector3d beside =
@@ -211,8 +211,8 @@ namespace {
 class TouchTest {
 public:
     TouchTest(const PairAtRest& pair, bool of_moving)
-        : motion_(pair.motion), inner_(of_moving ? pair.moving : pair.fixed), outer_(of_moving ? pair.fixed : pair.moving),
-          to_outer_(of_moving ? pair.relative : pair.relative.inverse()),
+        : motion_(pair.motion), inner_(of_moving ? pair.moving : pair.fixed),
+          outer_(of_moving ? pair.fixed : pair.moving), to_outer_(of_moving ? pair.relative : pair.relative.inverse()),
           to_fixed_(of_moving ? Eigen::Isometry3d::Identity() : pair.relative), reach_(reach_of(pair)),
           rounding_(rounding_of(pair)), rest_of_inner_(of_moving ? motion_.rest_of_moving : motion_.rest_of_fixed),
           rest_of_outer_(of_moving ? motion_.rest_of_fixed : motion_.rest_of_moving) {}
@@ -273,8 +273,8 @@ private:
     [[nodiscard]] bool stays_within_reach(const Vector3d& point) const {
         const double within = reach_ - way(point);
         return within > 0 && outer_.has_triangle(point, within, [&](const Triangle& triangle) {
-                   return (nearest_on(triangle, point) - point).norm() < within;
-               });
+            return (nearest_on(triangle, point) - point).norm() < within;
+        });
     }
     /// No triangle of the surface comes to the point: each stays on one side of a plane through it.
     [[nodiscard]] bool stays_inside(const Vector3d& point) const {

@@ -157,10 +157,12 @@ void bind_clear_box(nb::module_& module) {
 
 constexpr const char* range_doc =
     "What is clear, in contact or open of all configurations of a box, proven.\n\nParameters\n----------\n"
-    "lower, upper : array (variables,)\n    The ends of the box, as of `box_of_joints`. Variables with equal ends stand "
+    "lower, upper : array (variables,)\n    The ends of the box, as of `box_of_joints`. Variables with equal ends "
+    "stand "
     "still.\nscene : Scene, optional\n    The world, whose bodies stand still; without it the robot itself only.\n"
     "margin : float\n    Distance that counts as contact, mesh unit.\ntolerance : float\n    The search ends once a "
-    "witness is known and no more than this share of the box is open.\nseconds : float\n    What is not decided then is "
+    "witness is known and no more than this share of the box is open.\nseconds : float\n    What is not decided then "
+    "is "
     "open.\nthreads : int\n    At most so many; 0: all cores. The answer is the same unless time ends the search.\n"
     "most_cells : int\n    So many boxes of configurations are examined; the rest is open.\n\nReturns\n-------\n"
     "RobotRange\n\nRaises\n------\nInvalidInput\n    For ends that make no box, and bodies of the scene that move.";
@@ -168,9 +170,12 @@ constexpr const char* range_doc =
 constexpr const char* clear_box_doc =
     "A large box around a configuration, within a given one, in which the robot is proven to touch nothing. It grows "
     "evenly first, then side by side; it is not the largest one of all.\n\nParameters\n----------\n"
-    "lower, upper : array (variables,)\n    The ends of the given box, as of `box_of_joints`.\nscene : Scene, optional\n"
-    "    The world, whose bodies stand still; without it the robot itself only.\naround : array (variables,), optional\n"
-    "    The configuration; the middle of the given box if it is left out.\nmargin : float\n    Distance that counts as "
+    "lower, upper : array (variables,)\n    The ends of the given box, as of `box_of_joints`.\nscene : Scene, "
+    "optional\n"
+    "    The world, whose bodies stand still; without it the robot itself only.\naround : array (variables,), "
+    "optional\n"
+    "    The configuration; the middle of the given box if it is left out.\nmargin : float\n    Distance that counts "
+    "as "
     "contact, mesh unit.\ntolerance : float\n    The part of the given box by which no side could be moved farther.\n"
     "seconds, threads, most_cells\n    As for `range`.\n\nReturns\n-------\nClearBox\n\nRaises\n------\nInvalidInput\n"
     "    As for `range`, and for a configuration outside of the box.";
@@ -186,10 +191,9 @@ void bind_robot_ranges(nb::class_<PythonRobot>& type, nb::module_& module) {
     type.def(
             "box_of_joints",
             [](const PythonRobot& robot, const std::vector<std::string>& joints, nb::handle configuration) {
-                const ConfigurationBox box =
-                    box_of_joints(robot, joints,
-                                  configuration.is_none() ? robot.neutral()
-                                                          : configuration_from(configuration, "configuration"));
+                const ConfigurationBox box = box_of_joints(
+                    robot, joints,
+                    configuration.is_none() ? robot.neutral() : configuration_from(configuration, "configuration"));
                 return nb::make_tuple(array_of(box.lower), array_of(box.upper));
             },
             "joints"_a, "configuration"_a = nb::none(),

@@ -41,8 +41,8 @@ TEST_F(RangeCommand, AnswersAsTheLibrary) {
     scene.add({"cube", Polyhedron::load(path("cube.obj")),
                Motion::at_rest(Pose({-0.6, 1.3, -0.5}, Eigen::Quaterniond::Identity()))});
     const std::vector<std::string> joints{"shoulder", "elbow"};
-    const RobotRange same = RobotChecker(robot, &scene)
-                                .range(box_of_joints(robot, joints, robot.neutral()), {.tolerance = 0.05});
+    const RobotRange same =
+        RobotChecker(robot, &scene).range(box_of_joints(robot, joints, robot.neutral()), {.tolerance = 0.05});
     const Json answer = json(both + "--scene cell.json --tolerance 0.05");
     EXPECT_EQ(answer["joints"], Json({"shoulder", "elbow"}));
     EXPECT_EQ(answer["verdict"], "contact");
@@ -112,10 +112,10 @@ TEST_F(RangeCommand, RefusesInOneLine) {
               "chasles: --plot: draws ranges of two joints, and --joints names 1\n");
     EXPECT_NE(why(both + "--plot a.png").find("pictures are SVG"), std::string::npos);
     EXPECT_NE(why(both + "--tolerance 2").find("tolerance: must be in [0, 1]"), std::string::npos);
-    write("moving.json",
-          R"({"bodies": [{"name": "cube", "mesh": "cube.obj", "pose": [4, 0, 0], "goal": [5, 0, 0]}]})");
-    EXPECT_NE(why(both + "--scene moving.json").find("range: cube: moves, and a range is about a world that stands still"),
-              std::string::npos);
+    write("moving.json", R"({"bodies": [{"name": "cube", "mesh": "cube.obj", "pose": [4, 0, 0], "goal": [5, 0, 0]}]})");
+    EXPECT_NE(
+        why(both + "--scene moving.json").find("range: cube: moves, and a range is about a world that stands still"),
+        std::string::npos);
     EXPECT_NE(run("range arm.urdf").err.find("--joints is required"), std::string::npos);
 }
 

@@ -69,7 +69,7 @@ double free_share(const ConfigurationBox& box, double wall, double radius) {
         for (int k = 0; k < steps; ++k)
             free += tip_of(values(box.lower[0] + (i + 0.5) / steps * (box.upper[0] - box.lower[0]),
                                   box.lower[1] + (k + 0.5) / steps * (box.upper[1] - box.lower[1]))) +
-                            radius <
+                        radius <
                     wall;
     return double(free) / (steps * steps);
 }
@@ -217,8 +217,8 @@ TEST(RobotRange, SamplesOfRandomRobotsRefuteNothing) {
 }
 
 bool are_same(const std::vector<ConfigurationBox>& a, const std::vector<ConfigurationBox>& b) {
-    return std::ranges::equal(
-        a, b, [](const auto& x, const auto& y) { return x.lower == y.lower && x.upper == y.upper; });
+    return std::ranges::equal(a, b,
+                              [](const auto& x, const auto& y) { return x.lower == y.lower && x.upper == y.upper; });
 }
 
 TEST(RobotRange, IsTheSameForAnyNumberOfThreads) {
@@ -279,6 +279,7 @@ TEST(RobotRange, PairsThatStandStillNeedOneCell) {
     description.links[0].collisions = {{make_box({0.1, 0.1, 0.1}), shifted(0.52, 0, 0)}};
     Robot robot(description);
     robot.test("base", "upper");
+    robot.ignore("base", "fore");
     const RobotChecker checker(robot);
     const std::vector<std::string> elbow{"elbow"};
     const RobotRange found = checker.range(box_of_joints(robot, elbow, values(0, 0)));
@@ -310,8 +311,7 @@ TEST(RobotRange, RefusesWhatIsNoBox) {
               "range: box: no variable has a lower end below its upper end; is_clear answers for one configuration");
     EXPECT_EQ(why({values(0, 1), values(1, 0)}), "range: elbow: its lower end is above its upper end");
     EXPECT_EQ(why({values(0, 0), values(1, NAN)}), "range: upper: elbow is not a finite number");
-    EXPECT_EQ(why({values(0, 0), Configuration::Ones(3)}),
-              "range: upper: has 3 values, and the robot has 2 variables");
+    EXPECT_EQ(why({values(0, 0), Configuration::Ones(3)}), "range: upper: has 3 values, and the robot has 2 variables");
     EXPECT_NE(why({values(0, 0), values(1, 1001)}).find("range: upper: elbow is beyond 1000 radians"),
               std::string::npos);
     EXPECT_EQ(why({values(0, 0), values(1, 1)}, {.tolerance = 2}), "query: tolerance: must be in [0, 1]");
@@ -323,10 +323,15 @@ TEST(RobotRange, RefusesWhatIsNoBox) {
               "robot: wrist: there is no such variable of a joint");
     Scene moving;
     moving.add({"cart", make_box({1, 1, 1}), Motion::velocity(Pose(), shifted(1, 0, 0))});
-    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, &moving).range({values(0, 0), values(1, 1)}); }),
-              "range: cart: moves, and a range is about a world that stands still: leave its motion out, or give it the "
-              "pose that it has at one time");
-    EXPECT_EQ(refusal([&] { (void)checker.clear_box({values(0, 0), values(1, 1)}, values(2, 0)); }),
+    EXPECT_EQ(
+        refusal([&] {
+            (void)RobotChecker(robot, &moving).range({values(0, 0), values(1, 1)});
+        }),
+        "range: cart: moves, and a range is about a world that stands still: leave its motion out, or give it the "
+        "pose that it has at one time");
+    EXPECT_EQ(refusal([&] {
+                  (void)checker.clear_box({values(0, 0), values(1, 1)}, values(2, 0));
+              }),
               "range: around: must be a configuration in the box");
 }
 
