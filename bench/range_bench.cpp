@@ -54,6 +54,18 @@ Robot gantry() {
     return Robot(robot);
 }
 
+/// The neutral configuration, or the one in the middle of all limits, if that is clear and the other one is not.
+Configuration free_configuration(const Robot& robot) {
+    const RobotChecker checker(robot);
+    if (checker.is_clear(robot.neutral()))
+        return robot.neutral();
+    Configuration middle = robot.neutral();
+    for (std::size_t i = 0; i < robot.variables().size(); ++i)
+        if (std::isfinite(robot.variables()[i].lower + robot.variables()[i].upper))
+            middle[Eigen::Index(i)] = 0.5 * (robot.variables()[i].lower + robot.variables()[i].upper);
+    return middle;
+}
+
 /// Pairs that touch at the start are by design.
 Robot without_contacts_at_start(Robot robot) {
     while (true) {
@@ -129,9 +141,10 @@ Refuted refuted(Draw& draw, const RobotChecker& checker, FclRobot& peer, const s
 void examine(Draw& draw, const NamedRobot& named, std::size_t count_of_boxes, std::span<const std::string> joints,
              std::size_t samples) {
     const Robot& robot = named.robot;
-    const Scene scene = boxes_around(draw, named, robot.neutral(), count_of_boxes);
+    const Configuration free = free_configuration(robot);
+    const Scene scene = boxes_around(draw, named, free, count_of_boxes);
     const RobotChecker checker(robot, &scene);
-    const ConfigurationBox box = box_of_joints(robot, joints, robot.neutral());
+    const ConfigurationBox box = box_of_joints(robot, joints, free);
     const auto start = std::chrono::steady_clock::now();
     const RobotRange found = checker.range(box, {.tolerance = 0.01, .seconds = 10, .most_cells = 100'000'000});
     const double seconds = seconds_since(start);

@@ -128,7 +128,9 @@ std::string range_text(const RangeQuestion& question, const RobotRange& found,
     if (found.witness)
         text += witness_text(question.robot, found);
     if (!found.clear.empty())
-        text += labelled("proven", fmt::format("{}; the largest: {}", counted(found.clear.size(), "clear box"),
+        text += labelled("proven", fmt::format("{}; the largest: {}",
+                                               std::to_string(found.clear.size()) +
+                                                   (found.clear.size() == 1 ? " clear box" : " clear boxes"),
                                                box_text(question.robot, found.clear.front(), found.joints)));
     if (clear_box)
         text +=
