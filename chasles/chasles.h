@@ -19,6 +19,7 @@
 #include "chasles/query/path.h"
 #include "chasles/query/profile.h"
 #include "chasles/robot/pair_proof.h"
+#include "chasles/robot/range.h"
 #include "chasles/robot/robot.h"
 #include "chasles/scene/scene.h"
 #include "chasles/scene/stepper.h"

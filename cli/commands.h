@@ -27,6 +27,7 @@ void add_path(CLI::App& app, Task& task);
 void add_scene(CLI::App& app, Task& task);
 void add_robot(CLI::App& app, Task& task);
 void add_acm(CLI::App& app, Task& task);
+void add_range(CLI::App& app, Task& task);
 void add_drag(CLI::App& app, Task& task);
 void add_batch(CLI::App& app, Task& task);
 void add_info(CLI::App& app, Task& task);

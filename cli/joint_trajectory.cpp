@@ -249,12 +249,12 @@ robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_
     return rows;
 }
 
-robot::ConfigurationRows load_joint_path(const std::filesystem::path& file, const Robot& robot) {
+robot::ConfigurationRows load_joint_path(const std::filesystem::path& file, const Robot& robot, std::size_t least) {
     const std::string text = io::read_file(file);
     return at_place(io::shown_name(file), [&] {
         robot::ConfigurationRows rows = is_joint_trajectory(file, text)
                                             ? read_joint_trajectory(text, is_json_text(file, text), robot)
-                                            : robot::read_configurations(text, robot);
+                                            : robot::read_configurations(text, robot, least);
         for (std::string& warning : rows.warnings)
             warning = io::shown_name(file) + ": " + warning;
         return rows;

@@ -18,7 +18,8 @@ bool is_joint_trajectory(const std::filesystem::path& file, const std::string& t
 /// with more than one.
 robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_json, const Robot& robot);
 
-/// Reads the path of a robot from a file of any format. Throws InvalidInput "FILE: WHY". Warnings have the same form.
-robot::ConfigurationRows load_joint_path(const std::filesystem::path& file, const Robot& robot);
+/// Reads the path of a robot from a file of any format, of at least so many configurations. Throws InvalidInput
+/// "FILE: WHY". Warnings have the same form.
+robot::ConfigurationRows load_joint_path(const std::filesystem::path& file, const Robot& robot, std::size_t least = 2);
 
 } // namespace chasles::cli

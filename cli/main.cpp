@@ -53,6 +53,7 @@ void add_commands(CLI::App& app, Task& task) {
     add_scene(app, task);
     add_robot(app, task);
     add_acm(app, task);
+    add_range(app, task);
     add_drag(app, task);
     add_info(app, task);
     add_demo(app, task);

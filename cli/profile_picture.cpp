@@ -1,5 +1,7 @@
 #include "cli/profile_picture.h"
 
+#include "cli/svg.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -46,18 +48,6 @@ private:
     double greatest_;
 };
 
-std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
-    return fmt::format(R"(<line x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}" {}/>)"
-                       "\n",
-                       x1, y1, x2, y2, style);
-}
-
-std::string svg_text(double x, double y, std::string_view anchor, std::string_view words) {
-    return fmt::format(R"(<text x="{:.2f}" y="{:.2f}" text-anchor="{}">{}</text>)"
-                       "\n",
-                       x, y, anchor, words);
-}
-
 std::string axes_of(const Frame& frame) {
     constexpr std::string_view grid = R"(stroke="#ddd")";
     std::string lines;
@@ -102,11 +92,7 @@ std::string band_of(const DistanceProfile& profile, const Frame& frame) {
 std::string profile_picture(const DistanceProfile& profile, const std::vector<double>& margins) {
     const double most = *std::ranges::max_element(profile.upper);
     const Frame frame({profile.times.front(), profile.times.back()}, std::isinf(most) ? 0 : 1.05 * most);
-    std::string picture =
-        fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
-                    R"(font-family="sans-serif" font-size="12">)"
-                    "\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-                    picture_width, picture_height);
+    std::string picture = svg_start(picture_width, picture_height);
     picture += axes_of(frame) + (std::isinf(most) ? std::string() : band_of(profile, frame));
     for (const double margin : margins)
         if (margin <= frame.greatest())

@@ -20,7 +20,8 @@ robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) 
                        " of the robot: " + names);
 }
 
-/// The world. Its bodies are not tested against each other, and what a robot touches at the start is a contact.
+} // namespace
+
 std::optional<SceneFile> read_scene(const RobotCommand& options) {
     if (options.scene.empty())
         return std::nullopt;
@@ -36,7 +37,6 @@ std::optional<SceneFile> read_scene(const RobotCommand& options) {
     return scene;
 }
 
-/// Margin and hold distance of the scene's file stand where the command line has none.
 QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile>& scene) {
     QuestionOptions question = options.query;
     if (options.query.margin.empty())
@@ -48,6 +48,18 @@ QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile
         query.hold = scene->hold;
     return query;
 }
+
+Robot read_robot(const RobotCommand& options, const std::optional<SceneFile>& scene,
+                 std::vector<std::string>& warnings) {
+    Robot robot = load_robot(options.robot);
+    warnings = robot.warnings();
+    const PolyhedronOptions attached{
+        .triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.first};
+    change(robot, scene ? &scene->scene : nullptr, options.changes, attached, warnings);
+    return robot;
+}
+
+namespace {
 
 /// What a scene's file says that has no effect on distances.
 void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::vector<std::string>& warnings) {
@@ -65,13 +77,10 @@ void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::v
 
 RobotQuestion read_question(const RobotCommand& options) {
     (void)query_of(options, std::nullopt); // what is wrong with an option comes first
-    Robot robot = load_robot(options.robot);
     std::optional<SceneFile> scene = read_scene(options);
     const QueryOptions query = query_of(options, scene);
-    std::vector<std::string> warnings = robot.warnings();
-    const PolyhedronOptions attached{
-        .triangulate = true, .solid = options.robot.solid, .radius = options.robot.radii.first};
-    change(robot, scene ? &scene->scene : nullptr, options.changes, attached, warnings);
+    std::vector<std::string> warnings;
+    Robot robot = read_robot(options, scene, warnings);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     if (scene) {
         warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());

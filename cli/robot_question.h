@@ -41,6 +41,14 @@ struct RobotQuestion {
     [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
 };
 
+/// The world. Its bodies are not tested against each other, and what a robot touches at the start is a contact.
+std::optional<SceneFile> read_scene(const RobotCommand& options);
+/// Margin and hold distance of the scene's file stand where the command line has none.
+QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile>& scene);
+/// The robot, with what the command line changes of it.
+Robot read_robot(const RobotCommand& options, const std::optional<SceneFile>& scene,
+                 std::vector<std::string>& warnings);
+
 /// Reads all files. What is wrong with an option is refused first.
 RobotQuestion read_question(const RobotCommand& options);
 

@@ -29,7 +29,8 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
         "Dragged bodies",
         ["manipulation/dragged_body.h", "manipulation/drag_options.h", "manipulation/drag_lock.h", "manipulation/mass_properties.h"],
     ),
-    "robots": ("Robots", ["robot/robot.h", "robot/robot_description.h", "robot/joint_path.h", "robot/pair_proof.h"]),
+    "robots": ("Robots", ["robot/robot.h", "robot/robot_description.h", "robot/joint_path.h", "robot/pair_proof.h",
+                          "robot/range.h"]),
     "ompl": ("Planners of OMPL", ["ompl.h"]),
 }  # fmt: skip
 

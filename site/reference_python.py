@@ -35,7 +35,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock", "MassProperties"]),
     "robots": (
         "Robots",
-        ["Robot", "JointPath", "RobotContact", "RobotClearance", "RobotChecker", "PairProof", "first_contacts_on_edges",
+        ["Robot", "JointPath", "RobotContact", "RobotClearance", "RobotChecker", "PairProof", "RobotRange", "ClearBox", "first_contacts_on_edges",
          "edge_dtype"],
     ),
     "pages": ("Pages", ["view", "recording_page", "write_robot_page"]),

@@ -76,6 +76,18 @@ std::string_view name_of(PairReason reason) {
     return "open";
 }
 
+std::string_view name_of(RangeVerdict verdict) {
+    switch (verdict) {
+    case RangeVerdict::clear:
+        return "clear";
+    case RangeVerdict::contact:
+        return "contact";
+    case RangeVerdict::open:
+        break;
+    }
+    return "open";
+}
+
 std::string_view name_of(UntestedReason reason) {
     switch (reason) {
     case UntestedReason::no_shapes:

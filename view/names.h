@@ -3,6 +3,7 @@
 
 #include "chasles/query/first_contact.h"
 #include "chasles/robot/pair_proof.h"
+#include "chasles/robot/range.h"
 #include "view/motion_numbers.h"
 #include "view/scene_record.h"
 
@@ -16,6 +17,7 @@ std::string_view name_of(ContactKind kind);
 std::string_view name_of(MotionKind kind);
 std::string_view name_of(RecordSource source);
 std::string_view name_of(PairReason reason);
+std::string_view name_of(RangeVerdict verdict);
 std::string_view name_of(UntestedReason reason);
 std::string_view name_of(JointType type);
 

@@ -75,7 +75,7 @@ std::string way_to_rest(const ConfigurationRows& rows) {
 
 } // namespace
 
-ConfigurationRows read_configurations(std::string_view text, const Robot& robot) {
+ConfigurationRows read_configurations(std::string_view text, const Robot& robot, std::size_t least) {
     const auto may_be_name = [&](std::string_view name) {
         return io::is_time_column(name) || JointColumns::is_name(robot, name);
     };
@@ -91,7 +91,9 @@ ConfigurationRows read_configurations(std::string_view text, const Robot& robot)
         rows.warnings.push_back("line " + std::to_string(line) + ": " + warning);
     while (const std::optional<io::TableRow> row = rows_of_text.next())
         at_line(row->line, [&] { read_configuration(*row, names, table, columns, rows); });
-    if (rows.configurations.size() < 2)
+    if (rows.configurations.empty() && least == 1)
+        throw InvalidInput("has no configuration");
+    if (rows.configurations.size() < least)
         throw InvalidInput("a path needs at least two configurations, and there are " +
                            std::to_string(rows.configurations.size()) + way_to_rest(rows));
     return rows;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "chasles/robot/model.h"
+#include "chasles/robot/overlap_surface.h"
 
-#include <array>
 #include <vector>
 
 namespace chasles::robot {
@@ -21,24 +21,10 @@ public:
     [[nodiscard]] bool touch_within(double margin, const Configuration& configuration) const;
 
 private:
-    struct Surface {
-        const Body* body;
-        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
-        std::vector<Eigen::Vector3d> points; ///< some of the surface
-        Eigen::AlignedBox3d box;
-    };
-
-    static Surface surface_of(const Polyhedron& shape);
-    /// Whether a point of the first surface is inside of the second body, for any displacement up to the margin.
-    static bool has_point_inside(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
-                                 double margin, double rounding);
-    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double radii, double margin,
-                          double rounding);
-
     const Model& model_;
     const std::vector<const Element*>& first_;
     const std::vector<const Element*>& second_;
-    std::vector<Surface> of_first_, of_second_; ///< of each element
+    std::vector<OverlapSurface> of_first_, of_second_; ///< of each element
 };
 
 } // namespace chasles::robot

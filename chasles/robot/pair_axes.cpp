@@ -11,9 +11,6 @@ namespace chasles::robot {
 
 namespace {
 
-/// The allowance for the rounding of sums of lengths.
-constexpr double outward_sum = 1 + 1e-9;
-
 /// Of a variable, as on paths.
 constexpr double largest_value = 1000;
 

@@ -8,6 +8,9 @@
 
 namespace chasles::robot {
 
+/// The allowance for the rounding of sums of lengths.
+inline constexpr double outward_sum = 1 + 1e-9;
+
 /// A variable between two links.
 struct Axis {
     std::size_t variable = 0;

@@ -18,7 +18,6 @@ namespace {
 constexpr int random_lines = 400;
 /// Cells that are examined together.
 constexpr std::size_t cells_together = 256;
-constexpr double outward_reach = 1 + 1e-9;
 
 } // namespace
 
@@ -203,7 +202,7 @@ double PairSearch::margin_of(const Cell& cell) const {
     double margin = 0;
     for (std::size_t i = 0; i < cell.half.size(); ++i)
         margin += cell.half[i] * axes_[i].reach;
-    return margin * outward_reach;
+    return margin * outward_sum;
 }
 
 /// Into halves of the axis that moves points farthest.
@@ -215,7 +214,7 @@ void PairSearch::split(const std::vector<Axis>& axes, const Cell& cell, std::deq
     for (const double side : {-0.5, 0.5}) {
         Cell half = cell;
         half.middle[widest] += side * cell.half[widest];
-        half.half[widest] = 0.5 * cell.half[widest] * outward_reach;
+        half.half[widest] = 0.5 * cell.half[widest] * outward_sum;
         cells.push_back(std::move(half));
     }
 }
@@ -224,7 +223,7 @@ PairSearch::Cell PairSearch::whole(std::size_t axes) const {
     Cell cell;
     for (std::size_t i = 0; i < axes; ++i) {
         cell.middle.push_back(0.5 * (axes_[i].lower + axes_[i].upper));
-        cell.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward_reach);
+        cell.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward_sum);
     }
     return cell;
 }

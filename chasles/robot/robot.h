@@ -20,6 +20,11 @@
 
 namespace chasles {
 
+struct ClearBox;
+struct ConfigurationBox;
+struct RangeOptions;
+struct RobotRange;
+
 namespace robot {
 class Model;
 } // namespace robot
@@ -266,6 +271,20 @@ public:
     /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
     /// pairs".
     [[nodiscard]] RobotProfile profile(const JointPath& path, const ProfileOptions& options = {}) const;
+
+    /// What is clear, in contact or open of all configurations of a box of joints (chasles/robot/range.h). The same
+    /// answer for any number of threads, unless time ends the search. `hold` has no effect. Throws InvalidInput for a
+    /// box that is none, an option out of its range, and bodies of the scene that move.
+    /// Source: docs/derivations/40-ranges.md.
+    [[nodiscard]] RobotRange range(const ConfigurationBox& box) const;
+    [[nodiscard]] RobotRange range(const ConfigurationBox& box, const RangeOptions& options) const;
+    /// A large box around a configuration, within a given one, in which the robot is proven to touch nothing. It grows
+    /// evenly first, then side by side; it is not the largest one of all. `tolerance` is the step, as a part of the
+    /// given box, by which no side could be moved farther. Throws InvalidInput as `range`, and for a configuration
+    /// outside of the box.
+    [[nodiscard]] ClearBox clear_box(const ConfigurationBox& within, const Configuration& around) const;
+    [[nodiscard]] ClearBox clear_box(const ConfigurationBox& within, const Configuration& around,
+                                     const RangeOptions& options) const;
 
     [[nodiscard]] const Robot& robot() const;
     /// What no answer of the checker looks at.

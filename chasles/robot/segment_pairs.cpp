@@ -86,16 +86,15 @@ SegmentPairs::SegmentPairs(const RobotChecker::Prepared& prepared, const JointPa
     : prepared_(prepared), motion_(prepared.model().motion_of(checked_segment(prepared.model(), path, segment))),
       of_scene_(share_of(path, segment)) {}
 
-RobotPair SegmentPairs::name_of(const Task& task) const {
-    const Model& model = prepared_.model();
+RobotPair name_of(const RobotChecker::Prepared& prepared, const Task& task) {
+    const Model& model = prepared.model();
     RobotPair pair;
-    std::tie(pair.first, pair.first_shape) = model.name_of(prepared_.moving(task));
+    std::tie(pair.first, pair.first_shape) = model.name_of(prepared.moving(task));
     pair.is_with_scene = task.kind != Task::Kind::self;
     if (pair.is_with_scene)
-        pair.second = prepared_.bodies[prepared_.body_of(task)].name;
+        pair.second = prepared.bodies[prepared.body_of(task)].name;
     else
-        std::tie(pair.second, pair.second_shape) =
-            model.name_of(model.elements[prepared_.self_pairs[task.first].fixed]);
+        std::tie(pair.second, pair.second_shape) = model.name_of(model.elements[prepared.self_pairs[task.first].fixed]);
     return pair;
 }
 

@@ -20,6 +20,9 @@ Bracket stamps_of(const JointPath::Segment& segment, const Bracket& time);
 /// Speeds in the time of a part of a segment, as speeds in the time of the segment.
 void slow_down(std::span<Contact> contacts, const Bracket& part);
 
+/// The names of a pair.
+RobotPair name_of(const RobotChecker::Prepared& prepared, const Task& task);
+
 /// A segment of a path, for a robot and a scene. The robot is kept by reference.
 class SegmentPairs {
 public:
@@ -30,7 +33,7 @@ public:
     [[nodiscard]] const SegmentMotion& motion() const { return motion_; }
     /// The moving element as seen from the fixed body, by the joints between them alone, and both in the world.
     [[nodiscard]] motion::ErasedTrajectory<motion::SmoothTrajectory> trajectory(const Task& task) const;
-    [[nodiscard]] RobotPair name_of(const Task& task) const;
+    [[nodiscard]] RobotPair name_of(const Task& task) const { return robot::name_of(prepared_, task); }
     /// What `work` returns. What it refuses (InvalidInput) gets the names of the pair in front.
     template <class Work>
     auto naming(const Task& task, const Work& work) const {

@@ -14,6 +14,7 @@ from typing import Any
 
 from ._core import (
     Cancelled,
+    ClearBox,
     ConstantTwist,
     ConstantVelocity,
     Contact,
@@ -40,6 +41,7 @@ from ._core import (
     RobotChecker,
     RobotClearance,
     RobotContact,
+    RobotRange,
     Scene,
     SceneContact,
     ScrewMotion,
@@ -82,6 +84,7 @@ from .view import view, write_page
 __all__ = [
     "BatchInterrupted",
     "Cancelled",
+    "ClearBox",
     "CollisionManager",
     "ConstantTwist",
     "ConstantVelocity",
@@ -111,6 +114,7 @@ __all__ = [
     "RobotChecker",
     "RobotClearance",
     "RobotContact",
+    "RobotRange",
     "Scene",
     "SceneContact",
     "ScrewMotion",
@@ -173,6 +177,16 @@ def _plot_profile(profile: DistanceProfile, *arguments: Any, **options: Any) -> 
 
 
 DistanceProfile.plot = _plot_profile  # type: ignore[attr-defined]
+
+
+def _plot_range(found: RobotRange, *arguments: Any, **options: Any) -> Any:
+    """Draw the boxes of a range of two joints with matplotlib: see `chasles.plot_range.plot_range`."""
+    from .plot_range import plot_range  # as above
+
+    return plot_range(found, *arguments, **options)
+
+
+RobotRange.plot = _plot_range  # type: ignore[attr-defined]
 FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]
 Scene.view = write_scene_page  # type: ignore[attr-defined]

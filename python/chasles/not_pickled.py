@@ -6,6 +6,7 @@ from . import _core
 
 _WAYS_OUT = {
     "keep the numbers that you need from this answer, or ask again": [
+        _core.ClearBox,
         _core.Contact,
         _core.DistanceProfile,
         _core.DragContact,
@@ -19,6 +20,7 @@ _WAYS_OUT = {
         _core.PathContact,
         _core.RobotClearance,
         _core.RobotContact,
+        _core.RobotRange,
         _core.SceneContact,
         _core.StepEvent,
         _core.UntestedPairs,

@@ -188,6 +188,7 @@ void bind_robot(nb::module_& module) {
     nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
     bind_profile(type);
+    bind_robot_ranges(type, module);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
                     "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic", "radius"_a = 0.0,
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "

@@ -111,6 +111,8 @@ PythonClearance clearance_on_path(const RobotChecker& checker, const PathArgumen
 /// The fields of many edges as lists and arrays: verdict, time, time_upper, clear_until, certain, first, second.
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 
+/// Questions about boxes of configurations.
+void bind_robot_ranges(nb::class_<PythonRobot>& type, nb::module_& module);
 /// Pickle of a robot, and `free_body`.
 void bind_robot_state(nb::class_<PythonRobot>& type, nb::module_& module);
 

@@ -96,6 +96,12 @@ QUESTIONS = {
             (*ROBOT_FILES, *CELL_FILES),
             (file("--csv"), file("--plot")),
         ),
+        Question(
+            "range",
+            ("range", *ROBOT, "--joints", "joint0", "--from", "path.csv", "1", "--scene", "cell.json"),
+            (*ROBOT_FILES, *CELL_FILES),
+            (file("--plot"),),
+        ),
         Question("acm", ("acm", *ROBOT), ROBOT_FILES, (file("--out"),)),
         Question("info", ("info", "moving.obj"), ("moving.obj",)),
         Question("info-robot", ("info", *ROBOT, "--json"), ROBOT_FILES),
@@ -104,6 +110,6 @@ QUESTIONS = {
 }
 
 # Options that name files to read. All other options that name a file or a folder are outputs.
-INPUT_OPTIONS = {"--poses", "--motions", "--goals", "--path", "--scene", "--srdf", "--packages", "--attach"}
+INPUT_OPTIONS = {"--poses", "--motions", "--goals", "--path", "--scene", "--from", "--srdf", "--packages", "--attach"}
 
 WRITERS = [question.name for question in QUESTIONS.values() if question.outputs]

@@ -173,6 +173,8 @@ REFUSED = {
     "RobotChecker": (lambda: chasles.RobotChecker(robot()), "pickle its robot and its scene, and make another one"),
     "RobotClearance": (lambda: robot().least_distance(*configurations(2)), ANSWER),
     "RobotContact": (lambda: robot().first_contact(*configurations(2)), ANSWER),
+    "ClearBox": (lambda: robot().clear_box(*robot().box_of_joints(["turn"])), ANSWER),
+    "RobotRange": (lambda: robot().range(*robot().box_of_joints(["turn"])), ANSWER),
     "SceneContact": (lambda: scene().first_contact(), ANSWER),
     "StepEvent": (lambda: chasles.Stepper(falling(), margin=1e-3).advance(), ANSWER),
     "Stepper": (stepper, "pickle its scene, and make another one"),

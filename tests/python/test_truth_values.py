@@ -17,6 +17,7 @@ def dragged():
 
 
 ANSWERS = {
+    "ClearBox": lambda: robot().clear_box(*robot().box_of_joints(["turn"])),
     "DistanceProfile": lambda: chasles.profile(cube(), cube(), START, GOAL),
     "DragStep": dragged,
     "FirstContact": lambda: chasles.first_contact(cube(), cube(), START, GOAL),
@@ -25,6 +26,7 @@ ANSWERS = {
     "PathContact": lambda: chasles.first_contact_on_path(cube(), cube(), [START, GOAL]),
     "RobotClearance": lambda: robot().least_distance(*configurations(2)),
     "RobotContact": lambda: robot().first_contact(*configurations(2)),
+    "RobotRange": lambda: robot().range(*robot().box_of_joints(["turn"])),
     "SceneContact": lambda: scene().first_contact(),
 }
 
