@@ -142,7 +142,7 @@ std::string range_text(const RangeQuestion& question, const RobotRange& found,
     return text + labelled("cells", std::to_string(found.cells));
 }
 
-ExitStatus status_of(RangeVerdict verdict) {
+ExitStatus exit_status_of(RangeVerdict verdict) {
     return verdict == RangeVerdict::clear ? is_clear : verdict == RangeVerdict::contact ? is_contact : is_unknown;
 }
 
@@ -176,7 +176,7 @@ int run_range(const RangeCommand& options) {
         print(range_text(question, found, clear_box));
     }
     print_warnings(question.warnings);
-    return is_whole ? status_of(found.verdict) : report_interruption("what is not proven is open");
+    return is_whole ? exit_status_of(found.verdict) : report_interruption("what is not proven is open");
 }
 
 } // namespace
