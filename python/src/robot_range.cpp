@@ -2,6 +2,7 @@
 #include "chasles/robot/range.h"
 
 #include "python/src/docstrings.h"
+#include "python/src/query_options.h"
 #include "python/src/robot.h"
 #include "python/src/scene.h"
 #include "view/names.h"
