@@ -18,7 +18,7 @@ using Knots = JointPath::Knots;
 struct PathThrough {
     Knots kind = Knots::straight;
     std::vector<double> times;
-    std::vector<Configuration> velocities, accelerations;
+    std::vector<Configuration> velocities = {}, accelerations = {};
 
     [[nodiscard]] JointPath path(const Robot& robot, const Eigen::MatrixXd& knots) const {
         std::vector<Configuration> positions;

@@ -17,7 +17,7 @@ namespace {
 constexpr double upper_arm = 1, forearm = 0.8, tip_radius = 0.1;
 
 /// Two links in a plane. Only the tip has a shape, a ball.
-Robot planar_arm() {
+Robot arm_beside_a_wall() {
     RobotDescription robot{"planar"};
     robot.links = {{"base"}, {"upper"}, {"fore", {{make_sphere(tip_radius), shifted(forearm, 0, 0)}}}};
     const auto turn = [](const char* name, const char* parent, const char* child, double at) {
@@ -76,7 +76,7 @@ double free_share(const ConfigurationBox& box, double wall, double radius) {
 
 TEST(RobotRange, IsRightInAClosedForm) {
     Random random(4001);
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     const ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
     const RobotRange found = RobotChecker(robot, &scene).range(box, {.tolerance = 0.01});
@@ -99,7 +99,7 @@ TEST(RobotRange, IsRightInAClosedForm) {
 }
 
 TEST(RobotRange, IsClearWhereTheWallIsOutOfReach) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const double reach = upper_arm + forearm + tip_radius;
     const ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
     const Scene far = wall_at(reach + 1e-3), near = wall_at(reach - 1e-3);
@@ -119,7 +119,7 @@ TEST(RobotRange, IsClearWhereTheWallIsOutOfReach) {
 
 /// A ball with a margin is a larger ball.
 TEST(RobotRange, AMarginCountsAsContact) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     const ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
     RobotQuery query;
@@ -132,7 +132,7 @@ TEST(RobotRange, AMarginCountsAsContact) {
 }
 
 TEST(RobotRange, WhatIsAllowedIsNoContact) {
-    Robot robot = planar_arm();
+    Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     robot.ignore_in_scene("fore", "wall");
     const RobotRange found = RobotChecker(robot, &scene).range(box_of_joints(robot, both, robot.neutral()));
@@ -222,7 +222,7 @@ bool are_same(const std::vector<ConfigurationBox>& a, const std::vector<Configur
 }
 
 TEST(RobotRange, IsTheSameForAnyNumberOfThreads) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     const RobotChecker checker(robot, &scene);
     const ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
@@ -244,7 +244,7 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 TEST(RobotRange, KeepsEveryLimit) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     const RobotChecker checker(robot, &scene);
     const ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
@@ -274,7 +274,7 @@ TEST(RobotRange, KeepsEveryLimit) {
 
 /// What no joint of the box moves is in contact everywhere, or nowhere.
 TEST(RobotRange, PairsThatStandStillNeedOneCell) {
-    RobotDescription description = planar_arm().description();
+    RobotDescription description = arm_beside_a_wall().description();
     description.links[1].collisions = {{make_box({0.1, 0.1, 0.1}), shifted(0.5, 0, 0)}};
     description.links[0].collisions = {{make_box({0.1, 0.1, 0.1}), shifted(0.52, 0, 0)}};
     Robot robot(description);
@@ -291,7 +291,7 @@ TEST(RobotRange, PairsThatStandStillNeedOneCell) {
 }
 
 TEST(RobotRange, ContinuousJointsHaveOneTurn) {
-    RobotDescription description = planar_arm().description();
+    RobotDescription description = arm_beside_a_wall().description();
     for (JointDescription& joint : description.joints)
         joint.type = JointType::continuous;
     const Robot robot(description);
@@ -302,7 +302,7 @@ TEST(RobotRange, ContinuousJointsHaveOneTurn) {
 }
 
 TEST(RobotRange, RefusesWhatIsNoBox) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const RobotChecker checker(robot);
     const auto why = [&](const ConfigurationBox& box, const RangeOptions& options = {}) {
         return refusal([&] { (void)checker.range(box, options); });
@@ -336,7 +336,7 @@ TEST(RobotRange, RefusesWhatIsNoBox) {
 }
 
 TEST(RobotRange, RefusesQuaternionsAndSlidesWithoutLimits) {
-    RobotDescription description = planar_arm().description();
+    RobotDescription description = arm_beside_a_wall().description();
     description.joints[0].type = JointType::floating;
     description.joints[1].type = JointType::prismatic;
     description.joints[1].lower = -std::numeric_limits<double>::infinity();
@@ -353,7 +353,7 @@ TEST(RobotRange, RefusesQuaternionsAndSlidesWithoutLimits) {
 
 TEST(ClearBox, IsProvenAndNoSideCanBeMovedFar) {
     Random random(4003);
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const Scene scene = wall_at(1.2);
     const RobotChecker checker(robot, &scene);
     const ConfigurationBox within = box_of_joints(robot, both, robot.neutral());
@@ -389,7 +389,7 @@ TEST(ClearBox, IsProvenAndNoSideCanBeMovedFar) {
 }
 
 TEST(ClearBox, IsTheWholeBoxWhereNothingIsNear) {
-    const Robot robot = planar_arm();
+    const Robot robot = arm_beside_a_wall();
     const ConfigurationBox within = box_of_joints(robot, both, robot.neutral());
     const ClearBox found = RobotChecker(robot).clear_box(within, values(0.3, 0.1));
     EXPECT_EQ(found.verdict, RangeVerdict::clear);
