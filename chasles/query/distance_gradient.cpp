@@ -81,12 +81,12 @@ DistanceGradient least_distance_gradient(const LeastDistanceQuery& query, const 
     const query::Witnesses witnesses =
         query::witnesses_of({query.moving.body(), query.fixed.body(), trajectory}, answer.time.lower);
     const GoalSteps steps(trajectory);
-    std::vector<Eigen::VectorXd> gradients;
+    query::Agreement gradients(witnesses.all.front().on_moving.norm());
     for (const Witness& witness : witnesses.all)
-        gradients.emplace_back(steps.gradient_of(witness));
-    result.by_goal = gradients.front();
-    result.isolated = witnesses.are_all && query::all_agree(gradients, witnesses.all.front().on_moving.norm()) &&
-                      !is_near_half_turn(*same);
+        if (!gradients.add(steps.gradient_of(witness)))
+            break;
+    result.by_goal = gradients.first();
+    result.isolated = witnesses.are_all && gradients.is_one() && !is_near_half_turn(*same);
     return result;
 }
 

@@ -17,8 +17,8 @@ struct [[nodiscard]] DistanceGradient {
     std::optional<Vector> by_goal;
     /// Whether the least distance has this gradient: one pair of points is nearest at one time, or all that are have
     /// the same gradient. False, too, where that cannot be told: where others come as near up to a part of 1e-9, where
-    /// the distance is below 1e-6 of what rounding resolves, within 1e-3 radians of a half turn, and at the limit of
-    /// the thread. Then `by_goal` is that of one of them.
+    /// the rounding of places is more than 1e-6 of the distance, within 1e-3 radians of a half turn, and at the limit
+    /// of the thread. Then `by_goal` is that of one of them.
     bool isolated = false;
 };
 

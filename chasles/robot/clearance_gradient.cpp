@@ -179,10 +179,9 @@ private:
     double radii_;
     std::vector<std::size_t> searched_; ///< segments, of the pair
     double level_ = 0;                  ///< of the surfaces
-    double lever_ = 0;                  ///< of turns
     bool are_all_ = true;
     bool is_at_start_ = false, is_at_end_ = false; ///< of the segment: some witness is at this knot
-    std::vector<Eigen::VectorXd> gradients_;
+    std::optional<query::Agreement> gradients_;
 };
 
 /// The pair in a segment.
@@ -191,12 +190,14 @@ void GradientSearch::add(std::size_t segment, double time) {
     const auto trajectory = pairs.trajectory(task_);
     const Witnesses found = query::witnesses_of({moving(task_), fixed(task_), trajectory}, time);
     for (const Witness& witness : found.all) {
-        gradients_.push_back(steps_.gradient_of(segment, witness));
+        if (!gradients_)
+            gradients_.emplace(witness.on_moving.norm());
+        if (!gradients_->is_one() || !gradients_->add(steps_.gradient_of(segment, witness)))
+            return;
         is_at_start_ = is_at_start_ || (segment == segment_ && witness.time == 0);
         is_at_end_ = is_at_end_ || (segment == segment_ && witness.time == 1);
     }
     are_all_ = are_all_ && (found.are_all || !steps_.is_any()); // without joints all have the gradient 0
-    lever_ = std::max(lever_, found.all.front().on_moving.norm());
     if (searched_.empty())
         level_ = std::max(0.0, found.level - radii_);
     searched_.push_back(segment);
@@ -232,11 +233,12 @@ bool GradientSearch::is_alone_in(std::size_t segment) const {
 
 RobotGradient GradientSearch::run() {
     RobotGradient result;
-    result.by_knots =
-        gradients_.front().reshaped(Eigen::Index(path_.segments().size()) + 1, path_.segments()[0].coefficients.cols());
+    result.by_knots = gradients_->first().reshaped(Eigen::Index(path_.segments().size()) + 1,
+                                                   path_.segments()[0].coefficients.cols());
     try {
-        look_beside_knots();
-        result.isolated = are_all_ && query::all_agree(gradients_, lever_) && is_alone();
+        if (are_all_ && gradients_->is_one())
+            look_beside_knots();
+        result.isolated = are_all_ && gradients_->is_one() && is_alone();
     } catch (const Cancelled&) { // what is left may be as near
     }
     return result;

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles::test::of_gradients { // names of its own in a batch of sources
 namespace {
@@ -261,6 +262,22 @@ TEST(DistanceGradient, NearAHalfTurnIsNotIsolated) {
                                     turned({0.1, 0.2, 2.5}, {1, 2, 3}, turn)};
             EXPECT_EQ(question.gradient().isolated, turn < 3.14);
         }
+}
+
+/// The number of pieces changes at each multiple of 10 degrees, and the slide with it by a jump.
+TEST(DistanceGradient, OfAScrewKeepsItsPieces) {
+    const double degree = std::numbers::pi / 180;
+    const auto gradient = [&](double turn) {
+        const Question question{make_sphere(0.25), box({0.5, 0.4, 0.3}).polyhedron(),
+                                [](const Pose& to) { return Motion::screw(shifted(-3, 0.2, 1), to); },
+                                turned({3, 0.1, 1.3}, {1, 0.2, 0.3}, turn)};
+        const DistanceGradient found = question.gradient();
+        EXPECT_TRUE(found.isolated);
+        return *found.by_goal;
+    };
+    for (const double multiple : {10 * degree, 20 * degree})
+        for (const double side : {-1, 1})
+            EXPECT_LE((gradient(multiple + side * 1e-6) - gradient(multiple + side * 1e-4)).norm(), 1e-3);
 }
 
 TEST(DistanceGradient, NeedsAGoal) {

@@ -17,7 +17,7 @@ using Knots = JointPath::Knots;
 /// A path of some kind through knots, with fixed times and rates.
 struct PathThrough {
     Knots kind = Knots::straight;
-    std::vector<double> times;
+    std::vector<double> times = {};
     std::vector<Configuration> velocities = {}, accelerations = {};
 
     [[nodiscard]] JointPath path(const Robot& robot, const Eigen::MatrixXd& knots) const {
