@@ -73,7 +73,7 @@ QUESTIONS = {
         ),
         Question(
             "scene-profile",
-            ("scene", "scene.json", "--profile"),
+            ("scene", "scene.json", "--profile", "--tolerance", "1", "--absolute-tolerance", "0.1"),
             ("scene.json", *BODIES, *PART, "fixture.urdf", "fixture.3mf"),
             (file("--csv"), file("--plot")),
         ),
@@ -98,7 +98,7 @@ QUESTIONS = {
         ),
         Question(
             "range",
-            ("range", *ROBOT, "--joints", "joint0", "--from", "path.csv", "1", "--scene", "cell.json"),
+            ("range", *ROBOT, "--joints", "joint0,joint1", "--from", "path.csv", "1", "--scene", "cell.json"),
             (*ROBOT_FILES, *CELL_FILES),
             (file("--plot"),),
         ),
