@@ -6,6 +6,7 @@
 #include "chasles/mesh/primitives.h"
 #include "chasles/robot/range.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -35,8 +36,8 @@ Robot gantry() {
     };
     robot.links = {{"frame"},
                    {"bridge", {{make_box({0.1, 2, 0.1}), at(0, 0, 1)}}},
-                   {"carriage", {{make_box({0.2, 0.2, 0.2}), at(0, 0, 1.2)}}},
-                   {"quill", {{make_box({0.08, 0.08, 0.8}), at(0, 0, 0.7)}}},
+                   {"carriage", {{make_box({0.2, 0.2, 0.2}), at(0.2, 0, 1.2)}}},
+                   {"quill", {{make_box({0.08, 0.08, 0.8}), at(0.2, 0, 0.7)}}},
                    {"tool", {{make_box({0.4, 0.1, 0.1}), at(0.1, 0, -0.05)}}}};
     const auto joint = [&](const char* name, JointType type, const char* parent, const char* child,
                            const Eigen::Vector3d& axis, double range) {
@@ -50,20 +51,19 @@ Robot gantry() {
     joint("y", JointType::prismatic, "bridge", "carriage", Eigen::Vector3d::UnitY(), 0.8);
     joint("z", JointType::prismatic, "carriage", "quill", Eigen::Vector3d::UnitZ(), 0.3);
     joint("turn", JointType::revolute, "quill", "tool", Eigen::Vector3d::UnitZ(), 3);
-    robot.joints.back().origin = at(0, 0, 0.25);
+    robot.joints.back().origin = at(0.2, 0, 0.25);
     return Robot(robot);
 }
 
-/// The neutral configuration, or the one in the middle of all limits, if that is clear and the other one is not.
-Configuration free_configuration(const Robot& robot) {
+/// The neutral configuration if the robot touches nothing there, otherwise a random one.
+Configuration free_configuration(Draw& draw, const Robot& robot) {
     const RobotChecker checker(robot);
-    if (checker.is_clear(robot.neutral()))
-        return robot.neutral();
-    Configuration middle = robot.neutral();
-    for (std::size_t i = 0; i < robot.variables().size(); ++i)
-        if (std::isfinite(robot.variables()[i].lower + robot.variables()[i].upper))
-            middle[Eigen::Index(i)] = 0.5 * (robot.variables()[i].lower + robot.variables()[i].upper);
-    return middle;
+    Configuration found = robot.neutral();
+    while (!checker.is_clear(found))
+        for (std::size_t i = 0; i < robot.variables().size(); ++i)
+            found[Eigen::Index(i)] =
+                draw.between(std::max(robot.variables()[i].lower, -3.0), std::min(robot.variables()[i].upper, 3.0));
+    return found;
 }
 
 /// Pairs that touch at the start are by design.
@@ -77,7 +77,7 @@ Robot without_contacts_at_start(Robot robot) {
 }
 
 std::vector<NamedRobot> robots() {
-    std::vector<NamedRobot> all{{"gantry", gantry(), 1.2}};
+    std::vector<NamedRobot> all{{"gantry", without_contacts_at_start(gantry()), 1.2}};
     const std::filesystem::path data = std::filesystem::path(CHASLES_DATA_DIR) / "robots";
     const std::filesystem::path arm = std::filesystem::path(CHASLES_SOURCE_DIR) / "examples/robot/arm.urdf";
     all.push_back({"arm", without_contacts_at_start(Robot::load(arm)), 1});
@@ -141,7 +141,7 @@ Refuted refuted(Draw& draw, const RobotChecker& checker, FclRobot& peer, const s
 void examine(Draw& draw, const NamedRobot& named, std::size_t count_of_boxes, std::span<const std::string> joints,
              std::size_t samples) {
     const Robot& robot = named.robot;
-    const Configuration free = free_configuration(robot);
+    const Configuration free = free_configuration(draw, robot);
     const Scene scene = boxes_around(draw, named, free, count_of_boxes);
     const RobotChecker checker(robot, &scene);
     const ConfigurationBox box = box_of_joints(robot, joints, free);
