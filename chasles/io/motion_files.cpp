@@ -146,7 +146,7 @@ auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     try {
         auto found = read(text);
         for (std::string& warning : found.warnings)
-            warning = shown_name(file) + ": " + warning;
+            warning.insert(0, shown_name(file) + ": ");
         return found;
     } catch (const InvalidInput& error) {
         fail_in_file(file, error.what());
