@@ -59,6 +59,8 @@ public:
     /// The motion of the same kind to another goal, whose `pose_at` is the moving body in the world; null if the motion
     /// has no goal. A screw keeps the number of its pieces.
     [[nodiscard]] virtual SharedTrajectory with_goal(const Pose& goal_in_world) const = 0;
+    /// The motion back, of the same kind; null if only its frame can run back.
+    [[nodiscard]] virtual SharedTrajectory reversed() const = 0;
 };
 
 /// A piece of a known type as AnyPiece.
@@ -138,6 +140,12 @@ public:
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const override {
         if constexpr (requires { trajectory_.with_goal(goal_in_world); })
             return trajectory_.with_goal(goal_in_world);
+        else
+            return nullptr;
+    }
+    [[nodiscard]] SharedTrajectory reversed() const override {
+        if constexpr (requires { trajectory_.reversed(); })
+            return trajectory_.reversed();
         else
             return nullptr;
     }

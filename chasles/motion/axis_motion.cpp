@@ -153,11 +153,11 @@ AxisMotion AxisMotion::inverse() const {
     return carried(base.inverse(), back);
 }
 
-AxisMotion AxisMotion::part(const Bracket& times) const {
+AxisMotion AxisMotion::part(double from, double to) const {
     AxisMotion part = *this;
-    if (kind == Kind::rest || (times.lower == 0 && times.upper == 1))
+    if (kind == Kind::rest || (from == 0 && to == 1))
         return part;
-    part.value = value.part(times);
+    part.value = value.part(from, to);
     part.goal.reset();
     return part;
 }

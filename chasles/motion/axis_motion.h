@@ -55,8 +55,8 @@ struct AxisMotion {
 
     /// The inverse of each pose.
     [[nodiscard]] AxisMotion inverse() const;
-    /// During a part of the time.
-    [[nodiscard]] AxisMotion part(const Bracket& times) const;
+    /// From one time in [0, 1] to another.
+    [[nodiscard]] AxisMotion part(double from, double to) const;
 };
 
 /// `inner`, carried by `outer`. Empty if it takes more than one axis, or numbers of more than 1,024 binary digits.

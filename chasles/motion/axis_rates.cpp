@@ -45,7 +45,7 @@ Vector3<double> seen_by(const RateExpansion& frame, const Vector3<double>& direc
 std::optional<AxisExpansion> slowed(std::optional<AxisExpansion> expansion, double duration) {
     if (!expansion)
         return expansion;
-    const double rate = 1 / duration;
+    const double rate = 1 / std::abs(duration);
     AxisRates& across = expansion->across;
     across = {across.turn * rate, across.turn_acceleration * rate * rate, across.acceleration * rate * rate};
     expansion->all = slowed(std::move(expansion->all), duration);

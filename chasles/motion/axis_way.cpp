@@ -51,7 +51,7 @@ void TurningPoints::find(const Bracket& times) {
     if (found_.size() > most_turning_points)
         return;
     const double rounding = reserve * rate_.size();
-    const std::vector<Wide> rates = rate_.part(times).bernstein();
+    const std::vector<Wide> rates = rate_.part(times.lower, times.upper).bernstein();
     const auto rises = [&](const Wide& rate) { return double(rate) > -rounding; };
     const auto falls = [&](const Wide& rate) { return double(rate) < rounding; };
     const bool never_falls = std::ranges::all_of(rates, rises), never_rises = std::ranges::all_of(rates, falls);

@@ -207,25 +207,26 @@ private:
 
 class PartFrame final : public FrameInBoth<PartFrame> {
 public:
-    PartFrame(SharedFrame frame, const Bracket& part)
-        : frame_(std::move(frame)), part_(part), duration_(part.upper - part.lower) {}
+    PartFrame(SharedFrame frame, double from, double to)
+        : frame_(std::move(frame)), from_(from), to_(to), duration_(to - from),
+          part_{std::min(from, to), std::max(from, to)} {}
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return pose_of<S>(*frame_, std::min(S(part_.lower) + time * S(duration_), S(part_.upper)));
+        return pose_of<S>(*frame_, of_frame(time));
     }
     [[nodiscard]] bool is_refined() const override { return frame_->is_refined(); }
     [[nodiscard]] Vector3<double> reference() const override { return frame_->reference(); }
     [[nodiscard]] Vector3<Wide> refined_reference() const override { return frame_->refined_reference(); }
     [[nodiscard]] RateBounds rates(const Bracket& times) const override {
-        return slowed(frame_->rates(local(times)), 1 / duration_);
+        return slowed(frame_->rates(of_frame(times)), 1 / duration_);
     }
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
-        return slowed(frame_->expansion(local(times)), 1 / duration_);
+        return slowed(frame_->expansion(of_frame(times)), 1 / duration_);
     }
     [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
                                                                const Bracket& times) const override {
-        return slowed(frame_->expansion_about(direction, local(times)), 1 / duration_);
+        return slowed(frame_->expansion_about(direction, of_frame(times)), 1 / duration_);
     }
     [[nodiscard]] double size() const override { return frame_->size(); }
     [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }
@@ -235,7 +236,7 @@ public:
         frame_->add_cuts(all);
         for (const double cut : all)
             if (part_.lower < cut && cut < part_.upper)
-                cuts.push_back(std::min((cut - part_.lower) / duration_, 1.0));
+                cuts.push_back(std::min((cut - from_) / duration_, 1.0));
     }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> parts;
@@ -243,24 +244,35 @@ public:
             const double lower = std::max(times.lower, part_.lower), upper = std::min(times.upper, part_.upper);
             if (!(lower < upper))
                 continue;
-            const auto within = [](double time, const Bracket& whole) {
-                return time == whole.upper ? 1 : (time - whole.lower) / (whole.upper - whole.lower);
+            const auto within = [](double time, double from, double to) {
+                return time == to ? 1 : (time - from) / (to - from);
             };
-            parts.push_back({{within(lower, part_), within(upper, part_)},
-                             motion.part({within(lower, times), within(upper, times)})});
+            const double from = duration_ > 0 ? lower : upper, to = duration_ > 0 ? upper : lower;
+            parts.push_back(
+                {{within(from, from_, to_), within(to, from_, to_)},
+                 motion.part(within(from, times.lower, times.upper), within(to, times.lower, times.upper))});
         }
+        if (duration_ < 0)
+            std::ranges::reverse(parts);
         return parts;
     }
 
 private:
-    [[nodiscard]] Bracket local(const Bracket& times) const {
-        const auto at = [&](double time) { return std::min(part_.lower + time * duration_, part_.upper); };
-        return {at(times.lower), at(times.upper)};
+    /// The frame's time at a time of this one.
+    template <class S>
+    [[nodiscard]] S of_frame(const S& time) const {
+        return std::clamp(S(from_) + time * S(duration_), S(part_.lower), S(part_.upper));
+    }
+    [[nodiscard]] Bracket of_frame(const Bracket& times) const {
+        const double first = of_frame(times.lower), last = of_frame(times.upper);
+        return {std::min(first, last), std::max(first, last)};
     }
 
     SharedFrame frame_;
-    Bracket part_;
+    double from_;
+    double to_;
     double duration_;
+    Bracket part_; ///< of the frame's time
 };
 
 } // namespace
@@ -277,8 +289,8 @@ SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> fra
     return std::make_shared<const JoinedFrames>(std::move(ends), std::move(frames));
 }
 
-SharedFrame part_frame(SharedFrame frame, const Bracket& part) {
-    return std::make_shared<const PartFrame>(std::move(frame), part);
+SharedFrame part_frame(SharedFrame frame, double from, double to) {
+    return std::make_shared<const PartFrame>(std::move(frame), from, to);
 }
 
 } // namespace chasles::motion

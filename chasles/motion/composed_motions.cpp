@@ -119,23 +119,28 @@ Motion operator*(const Motion& outer, const Motion& inner) {
 
 namespace {
 
-/// A trajectory of two moving bodies that knows how the moving one moves.
+/// A trajectory of two moving bodies that knows how each of them moves.
 template <class Trajectory>
 class OfTwo : public Trajectory {
 public:
-    OfTwo(Trajectory trajectory, Motion moving) : Trajectory(std::move(trajectory)), moving_(std::move(moving)) {}
+    OfTwo(Trajectory trajectory, Motion moving, Motion fixed)
+        : Trajectory(std::move(trajectory)), moving_(std::move(moving)), fixed_(std::move(fixed)) {}
     [[nodiscard]] motion::SharedTrajectory with_goal(const Pose& goal_in_world) const {
         return moving_.trajectory().with_goal(goal_in_world);
+    }
+    [[nodiscard]] motion::SharedTrajectory reversed() const {
+        return relative(moving_.reversed(), fixed_.reversed()).shared_trajectory();
     }
 
 private:
     Motion moving_;
+    Motion fixed_;
 };
 
 template <class Trajectory>
-Motion of_two(Trajectory trajectory, const Motion& moving) {
+Motion of_two(Trajectory trajectory, const Motion& moving, const Motion& fixed) {
     return Motion(std::make_shared<const motion::ErasedTrajectory<OfTwo<Trajectory>>>(
-        OfTwo<Trajectory>(std::move(trajectory), moving)));
+        OfTwo<Trajectory>(std::move(trajectory), moving, fixed)));
 }
 
 } // namespace
@@ -147,17 +152,23 @@ Motion relative(const Motion& moving, const Motion& fixed) {
     if (a && b)
         return of_two(motion::SweepTrajectory(motion::MotionEnds::relative(a->start, a->goal, b->start, b->goal),
                                               Eigen::Vector3d::Zero()),
-                      moving);
+                      moving, fixed);
     const SharedFrame of_moving = frame_of(moving, "relative");
     const SharedFrame of_fixed = frame_of(fixed, "relative");
-    return of_two(smooth({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed}), moving);
+    return of_two(smooth({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed}), moving, fixed);
 }
 
 Motion rest_of(const Motion& motion, double start) {
     require(start >= 0 && start < 1, "rest: the time must be in [0, 1)");
     if (const motion::MotionEnds* ends = motion.trajectory().straight_ends())
         return Motion::velocity(motion.pose_at(start), ends->goal);
-    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(motion, "rest"), {start, 1})));
+    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(motion, "rest"), start, 1)));
+}
+
+Motion Motion::reversed() const {
+    if (motion::SharedTrajectory back = trajectory_->reversed())
+        return Motion(std::move(back));
+    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(*this, "reversed"), 1, 0)));
 }
 
 } // namespace chasles

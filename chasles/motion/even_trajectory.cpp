@@ -290,6 +290,10 @@ SharedTrajectory EvenTrajectory::with_goal(const Pose& goal_in_world) const {
         EvenTrajectory(kind_, ends_.with_goal(goal_in_world), centre_));
 }
 
+SharedTrajectory EvenTrajectory::reversed() const {
+    return std::make_shared<const ErasedTrajectory<EvenTrajectory>>(EvenTrajectory(kind_, ends_.reversed(), centre_));
+}
+
 Pose EvenTrajectory::pose_at(double time) const {
     return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : public_pose(frame()->at(time));
 }

@@ -120,6 +120,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] static Pose fixed_pose_at(double /*time*/) { return {}; }
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
+    [[nodiscard]] SharedTrajectory reversed() const;
 
 private:
     [[nodiscard]] EvenMotion<double> numbers() const;

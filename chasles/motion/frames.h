@@ -34,7 +34,8 @@ SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed);
 /// must have the same reference and no cut. `ends` ascends from 0 to 1.
 SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames);
 
-/// A part of a frame's way: its own time runs from 0 to 1 during the part, which is within [0, 1].
-SharedFrame part_frame(SharedFrame frame, const Bracket& part);
+/// A part of a frame's way, between two different times in [0, 1]: its own time runs from 0 to 1 while that of the
+/// frame runs from `from` to `to`, which may be the earlier one.
+SharedFrame part_frame(SharedFrame frame, double from, double to);
 
 } // namespace chasles::motion

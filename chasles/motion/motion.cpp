@@ -78,6 +78,10 @@ double ScrewMotion::max_turn() const {
     return trajectory().max_turn();
 }
 
+ScrewMotion ScrewMotion::reversed() const {
+    return ScrewMotion(Motion(trajectory().reversed()));
+}
+
 ScrewMotion ScrewMotion::with_max_turn(double max_turn) const {
     return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), max_turn)));
 }
@@ -118,6 +122,10 @@ SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_g
                                   const Pose& fixed_goal) {
     const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
     return SweepMotion(erased(SweepTrajectory(ends, Eigen::Vector3d::Zero())));
+}
+
+SweepMotion SweepMotion::reversed() const {
+    return SweepMotion(Motion(trajectory().reversed()));
 }
 
 SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
@@ -162,6 +170,10 @@ public:
     /// To a goal that is turned it is no sweep.
     [[nodiscard]] motion::SharedTrajectory with_goal(const Pose& goal_in_world) const {
         return kind_ ? EvenTrajectory(*kind_, ends(), centre()).with_goal(goal_in_world) : nullptr;
+    }
+    [[nodiscard]] motion::SharedTrajectory reversed() const {
+        return std::make_shared<const motion::ErasedTrajectory<StraightTrajectory>>(
+            StraightTrajectory(ends().reversed(), centre(), kind_));
     }
 
 private:

@@ -70,9 +70,14 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
+    /// The motion back from the goal to the start: at a time, the poses are those of this motion at 1 - time. A last
+    /// contact is the first one of the motion back.
+    [[nodiscard]] Motion reversed() const;
+
     /// For the library's own use: the seam between motions and searches. Its type is no part of the public interface.
     explicit Motion(std::shared_ptr<const motion::AnyTrajectory> trajectory) : trajectory_(std::move(trajectory)) {}
     [[nodiscard]] const motion::AnyTrajectory& trajectory() const { return *trajectory_; }
+    [[nodiscard]] const std::shared_ptr<const motion::AnyTrajectory>& shared_trajectory() const { return trajectory_; }
 
 private:
     std::shared_ptr<const motion::AnyTrajectory> trajectory_;
@@ -121,6 +126,8 @@ public:
     [[nodiscard]] double max_turn() const;
     /// The same screw in pieces of another size. Throws InvalidInput for a max_turn that `between` refuses.
     [[nodiscard]] ScrewMotion with_max_turn(double max_turn) const;
+    /// The screw back from the goal to the start: the same turn about the opposite direction.
+    [[nodiscard]] ScrewMotion reversed() const;
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse
@@ -162,6 +169,9 @@ public:
     /// The same sweep with another reference point, in the moving body's frame. Throws InvalidInput for a centre that
     /// cannot be used.
     [[nodiscard]] SweepMotion about(const Eigen::Vector3d& centre) const;
+
+    /// The sweep back from the goal to the start.
+    [[nodiscard]] SweepMotion reversed() const;
 
     /// The screw between the same poses.
     [[nodiscard]] ScrewMotion screw_of_same_poses() const;

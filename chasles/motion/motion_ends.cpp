@@ -56,6 +56,15 @@ MotionEnds MotionEnds::with_goal(const Pose& goal_in_world) const {
     return ends;
 }
 
+MotionEnds MotionEnds::reversed() const {
+    MotionEnds back = *this;
+    std::swap(back.start, back.goal);
+    std::swap(back.start_is_in_world, back.goal_is_in_world);
+    if (fixed)
+        back.fixed = FixedEnds{fixed->goal, fixed->start};
+    return back;
+}
+
 Pose MotionEnds::pose_at_end(double time) const {
     const Pose& pose = time <= 0 ? start : goal;
     if (!fixed)

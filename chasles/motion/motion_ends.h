@@ -57,6 +57,9 @@ struct MotionEnds {
     /// The same with another goal of the moving body.
     [[nodiscard]] MotionEnds with_goal(const Pose& goal_in_world) const;
 
+    /// Back from the goal to the start.
+    [[nodiscard]] MotionEnds reversed() const;
+
     /// The moving body in the world at time 0 or before, or at time 1 or after.
     [[nodiscard]] Pose pose_at_end(double time) const;
 

@@ -135,13 +135,13 @@ RateExpansion seen_from(const RateExpansion& moving, const RateExpansion& fixed,
 }
 
 RateBounds slowed(const RateBounds& bounds, double duration) {
-    const double rate = 1 / duration;
+    const double rate = 1 / std::abs(duration);
     return {bounds.turn_rate * rate, bound_product(bounds.turn_acceleration, rate * rate), bounds.speed * rate,
             bound_product(bounds.acceleration, rate * rate)};
 }
 
 RateExpansion slowed(RateExpansion e, double duration) {
-    const double rate = 1 / duration, square = rate * rate, cube = square * rate;
+    const double rate = 1 / duration, square = rate * rate, cube = square * std::abs(rate);
     e.turn_rate = scale(e.turn_rate, rate);
     e.velocity = scale(e.velocity, rate);
     e.turn_acceleration = scale(e.turn_acceleration, square);

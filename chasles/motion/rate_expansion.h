@@ -34,7 +34,8 @@ RateExpansion carried(const RateExpansion& outer, const RateExpansion& inner, do
 /// The frame `moving` as seen from the frame `fixed`.
 RateExpansion seen_from(const RateExpansion& moving, const RateExpansion& fixed, double half, double size);
 
-/// Rates in the time of a segment, in the time of the whole, in which the segment lasts `duration`.
+/// Rates in the time of a segment, in the time of the whole, in which the segment lasts `duration`; below 0 if it is
+/// passed backwards.
 RateBounds slowed(const RateBounds& bounds, double duration);
 RateExpansion slowed(RateExpansion expansion, double duration);
 

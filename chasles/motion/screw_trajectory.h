@@ -83,6 +83,7 @@ public:
     [[nodiscard]] Pose uncut_pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
+    [[nodiscard]] SharedTrajectory reversed() const;
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] double max_turn() const { return max_turn_; }

@@ -51,6 +51,10 @@ SharedTrajectory SweepTrajectory::with_goal(const Pose& goal_in_world) const {
         SweepTrajectory(ends_.with_goal(goal_in_world), centre_));
 }
 
+SharedTrajectory SweepTrajectory::reversed() const {
+    return std::make_shared<const ErasedTrajectory<SweepTrajectory>>(SweepTrajectory(ends_.reversed(), centre_));
+}
+
 PathBall SweepTrajectory::ball_around_path(const Vector3<double>& point) const {
     const Vector3<double> reference = vector_in<double>(centre_);
     const PathEnds path(ends_, point);

@@ -76,10 +76,10 @@ std::vector<Wide> TimePolynomial::bernstein() const {
     return result;
 }
 
-TimePolynomial TimePolynomial::part(const Bracket& times) const {
+TimePolynomial TimePolynomial::part(double from, double to) const {
     std::vector<Wide> coefficients = coefficients_;
-    shift<Wide>(coefficients, Wide(times.lower));
-    const Wide duration = Wide(times.upper) - Wide(times.lower);
+    shift<Wide>(coefficients, Wide(from));
+    const Wide duration = Wide(to) - Wide(from);
     Wide power(1.0);
     for (Wide& c : coefficients) {
         c = c * power;

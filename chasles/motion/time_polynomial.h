@@ -35,8 +35,8 @@ public:
     [[nodiscard]] TimePolynomial derivative() const;
     /// The coefficients of the Bernstein form on [0, 1].
     [[nodiscard]] std::vector<Wide> bernstein() const;
-    /// As a polynomial of the share of an interval within [0, 1].
-    [[nodiscard]] TimePolynomial part(const Bracket& times) const;
+    /// As a polynomial of the share of the way from one time in [0, 1] to another.
+    [[nodiscard]] TimePolynomial part(double from, double to) const;
     friend TimePolynomial operator+(const TimePolynomial& a, const TimePolynomial& b);
     friend TimePolynomial operator-(const TimePolynomial& a, const TimePolynomial& b);
     [[nodiscard]] const std::vector<Wide>& coefficients() const { return coefficients_; }

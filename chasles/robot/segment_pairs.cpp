@@ -55,7 +55,7 @@ const JointPath::Segment& checked_segment(const Model& model, const JointPath& p
 
 /// The part of a frame that a task is about.
 motion::SharedFrame part_of(const motion::SharedFrame& frame, const Bracket& part) {
-    return part.lower == 0 && part.upper == 1 ? frame : motion::part_frame(frame, part);
+    return part.lower == 0 && part.upper == 1 ? frame : motion::part_frame(frame, part.lower, part.upper);
 }
 
 } // namespace

@@ -216,6 +216,9 @@ void bind_own_trajectories(nb::module_& module) {
             "time"_a, nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the fixed body, which stands still.")
         .def(
+            "reversed", [](const OwnMotion& m) { return made("reversed", {}, {as_plain(m)}); },
+            nb::sig("def reversed(self) -> Motion"), doc("Motion.reversed"))
+        .def(
             "__mul__",
             [](const OwnMotion& m, nb::handle inner) {
                 return made("product", {}, {as_plain(m), as_plain(given_motion(inner))});

@@ -79,6 +79,7 @@ constexpr std::array makers{
     Maker{"track", 4, 0, [](const Numbers& n, const Parts&) -> Motion { return track_of(n); }},
     Maker{"product", 0, 2, [](const Numbers&, const Parts& p) { return p[0].motion * p[1].motion; }},
     Maker{"relative", 0, 2, [](const Numbers&, const Parts& p) { return relative(p[0].motion, p[1].motion); }},
+    Maker{"reversed", 0, 1, [](const Numbers&, const Parts& p) { return p[0].motion.reversed(); }},
     Maker{"rest of", 1, 1, [](const Numbers& n, const Parts& p) { return rest_of(p[0].motion, number_of(n[0])); }},
 };
 

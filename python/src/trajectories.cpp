@@ -69,6 +69,9 @@ void bind_poses(nb::class_<M>& type) {
             nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the fixed body in the world at a time in [0, 1].")
         .def(
+            "reversed", [](const M& m) { return made("reversed", {}, {as_plain(m)}); },
+            nb::sig("def reversed(self) -> Motion"), doc("Motion.reversed"))
+        .def(
             "__mul__", [](const M& outer, nb::handle inner) { return product(outer, given_motion(inner)); },
             "inner"_a.none(), nb::sig("def __mul__(self, inner: " CHASLES_MOTIONS ") -> Motion"),
             "The motion `inner`, carried by this one: its pose is self.pose_at(t) @ inner.pose_at(t).");

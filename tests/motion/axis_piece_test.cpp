@@ -28,7 +28,7 @@ Pose flat_pose(Random& random, double height) {
     return {Vector3d(random.uniform(-2, 2), random.uniform(-2, 2), height), {std::cos(angle), 0, 0, std::sin(angle)}};
 }
 
-constexpr int kinds = 9;
+constexpr int kinds = 10;
 
 Motion motion_of_kind(Random& random, int kind) {
     const Vector3d point = random_point(random, 2), direction = random_point(random, 2);
@@ -47,6 +47,8 @@ Motion motion_of_kind(Random& random, int kind) {
         return rest * Motion::slider(direction, random_law(random)) * other;
     case 5: // two links on one pin
         return relative(rest * hinge * other, rest * Motion::hinge(point, -2 * direction, random_law(random)));
+    case 9:
+        return motion_of_kind(random, random.integer(0, 8)).reversed();
     case 6:
         return Motion::twist(flat_pose(random, 0.3), flat_pose(random, 0.3));
     case 7: {
