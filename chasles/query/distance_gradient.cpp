@@ -50,11 +50,11 @@ private:
     static constexpr double turn_step = 0x1p-17;
 
     /// A turn by a rotation vector, the same bits on every machine: tan(x) = x within 2e-11 of x up to `turn_step` / 2.
-    [[nodiscard]] static Eigen::Matrix3d small_turn(const Eigen::Vector3d& vector) {
+    [[nodiscard]] static Eigen::Quaterniond small_turn(const Eigen::Vector3d& vector) {
         Eigen::Quaterniond turn;
         turn.w() = 1;
         turn.vec() = vector / 2;
-        return turn.normalized().toRotationMatrix();
+        return turn.normalized();
     }
 
     /// Places depend on it linearly, so that a long step has the least rounding.
