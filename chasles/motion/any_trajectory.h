@@ -59,7 +59,7 @@ public:
     /// The motion of the same kind to another goal, whose `pose_at` is the moving body in the world; null if the motion
     /// has no goal. A screw keeps the number of its pieces.
     [[nodiscard]] virtual SharedTrajectory with_goal(const Pose& goal_in_world) const = 0;
-    /// The motion back, of the same kind; null if only its frame can run back.
+    /// The motion back.
     [[nodiscard]] virtual SharedTrajectory reversed() const = 0;
 };
 
@@ -143,12 +143,7 @@ public:
         else
             return nullptr;
     }
-    [[nodiscard]] SharedTrajectory reversed() const override {
-        if constexpr (requires { trajectory_.reversed(); })
-            return trajectory_.reversed();
-        else
-            return nullptr;
-    }
+    [[nodiscard]] SharedTrajectory reversed() const override { return trajectory_.reversed(); }
 
 private:
     using TypedPieces = decltype(std::declval<const T&>().pieces());

@@ -231,6 +231,8 @@ public:
     [[nodiscard]] double size() const override { return frame_->size(); }
     [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }
     [[nodiscard]] int factors() const override { return frame_->factors() + 1; }
+    /// The frame of which this one is the way back; null for other parts.
+    [[nodiscard]] SharedFrame forwards() const { return from_ == 1 && to_ == 0 ? frame_ : nullptr; }
     void add_cuts(std::vector<double>& cuts) const override {
         std::vector<double> all;
         frame_->add_cuts(all);
@@ -291,6 +293,13 @@ SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> fra
 
 SharedFrame part_frame(SharedFrame frame, double from, double to) {
     return std::make_shared<const PartFrame>(std::move(frame), from, to);
+}
+
+SharedFrame reversed_frame(const SharedFrame& frame) {
+    if (const auto* const part = dynamic_cast<const PartFrame*>(frame.get()))
+        if (SharedFrame forwards = part->forwards())
+            return forwards;
+    return part_frame(frame, 1, 0);
 }
 
 } // namespace chasles::motion

@@ -119,28 +119,23 @@ Motion operator*(const Motion& outer, const Motion& inner) {
 
 namespace {
 
-/// A trajectory of two moving bodies that knows how each of them moves.
+/// A trajectory of two moving bodies that knows how the moving one moves.
 template <class Trajectory>
 class OfTwo : public Trajectory {
 public:
-    OfTwo(Trajectory trajectory, Motion moving, Motion fixed)
-        : Trajectory(std::move(trajectory)), moving_(std::move(moving)), fixed_(std::move(fixed)) {}
+    OfTwo(Trajectory trajectory, Motion moving) : Trajectory(std::move(trajectory)), moving_(std::move(moving)) {}
     [[nodiscard]] motion::SharedTrajectory with_goal(const Pose& goal_in_world) const {
         return moving_.trajectory().with_goal(goal_in_world);
-    }
-    [[nodiscard]] motion::SharedTrajectory reversed() const {
-        return relative(moving_.reversed(), fixed_.reversed()).shared_trajectory();
     }
 
 private:
     Motion moving_;
-    Motion fixed_;
 };
 
 template <class Trajectory>
-Motion of_two(Trajectory trajectory, const Motion& moving, const Motion& fixed) {
+Motion of_two(Trajectory trajectory, const Motion& moving) {
     return Motion(std::make_shared<const motion::ErasedTrajectory<OfTwo<Trajectory>>>(
-        OfTwo<Trajectory>(std::move(trajectory), moving, fixed)));
+        OfTwo<Trajectory>(std::move(trajectory), moving)));
 }
 
 } // namespace
@@ -152,10 +147,10 @@ Motion relative(const Motion& moving, const Motion& fixed) {
     if (a && b)
         return of_two(motion::SweepTrajectory(motion::MotionEnds::relative(a->start, a->goal, b->start, b->goal),
                                               Eigen::Vector3d::Zero()),
-                      moving, fixed);
+                      moving);
     const SharedFrame of_moving = frame_of(moving, "relative");
     const SharedFrame of_fixed = frame_of(fixed, "relative");
-    return of_two(smooth({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed}), moving, fixed);
+    return of_two(smooth({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed}), moving);
 }
 
 Motion rest_of(const Motion& motion, double start) {
@@ -163,12 +158,6 @@ Motion rest_of(const Motion& motion, double start) {
     if (const motion::MotionEnds* ends = motion.trajectory().straight_ends())
         return Motion::velocity(motion.pose_at(start), ends->goal);
     return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(motion, "rest"), start, 1)));
-}
-
-Motion Motion::reversed() const {
-    if (motion::SharedTrajectory back = trajectory_->reversed())
-        return Motion(std::move(back));
-    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(*this, "reversed"), 1, 0)));
 }
 
 } // namespace chasles

@@ -37,5 +37,7 @@ SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> fra
 /// A part of a frame's way, between two different times in [0, 1]: its own time runs from 0 to 1 while that of the
 /// frame runs from `from` to `to`, which may be the earlier one.
 SharedFrame part_frame(SharedFrame frame, double from, double to);
+/// The frame from its end to its start; twice is once forwards.
+SharedFrame reversed_frame(const SharedFrame& frame);
 
 } // namespace chasles::motion

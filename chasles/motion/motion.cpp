@@ -44,6 +44,10 @@ Pose Motion::fixed_pose_at(double time) const {
     return trajectory_->fixed_pose_at(time);
 }
 
+Motion Motion::reversed() const {
+    return Motion(trajectory_->reversed());
+}
+
 ScrewMotion ScrewMotion::between(const Pose& start, const Pose& goal, double max_turn) {
     return ScrewMotion(erased(ScrewTrajectory(MotionEnds::between(start, goal), max_turn)));
 }

@@ -77,7 +77,6 @@ public:
     /// For the library's own use: the seam between motions and searches. Its type is no part of the public interface.
     explicit Motion(std::shared_ptr<const motion::AnyTrajectory> trajectory) : trajectory_(std::move(trajectory)) {}
     [[nodiscard]] const motion::AnyTrajectory& trajectory() const { return *trajectory_; }
-    [[nodiscard]] const std::shared_ptr<const motion::AnyTrajectory>& shared_trajectory() const { return trajectory_; }
 
 private:
     std::shared_ptr<const motion::AnyTrajectory> trajectory_;

@@ -5,6 +5,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/sort.h"
 #include "chasles/motion/axis_piece.h"
+#include "chasles/motion/frames.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -232,6 +233,15 @@ Pose SmoothTrajectory::pose_at(double time) const {
 
 Pose SmoothTrajectory::fixed_pose_at(double time) const {
     return motion_.fixed ? public_pose(motion_.fixed->at(std::clamp(time, 0.0, 1.0))) : Pose();
+}
+
+SharedTrajectory SmoothTrajectory::reversed() const {
+    SmoothMotion back = SmoothMotion::of_one(reversed_frame(motion_.relative));
+    if (motion_.fixed)
+        back = {.relative = back.relative,
+                .moving = reversed_frame(motion_.moving),
+                .fixed = reversed_frame(motion_.fixed)};
+    return std::make_shared<const ErasedTrajectory<SmoothTrajectory>>(SmoothTrajectory(std::move(back)));
 }
 
 } // namespace chasles::motion

@@ -145,6 +145,7 @@ public:
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part) const;
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
+    [[nodiscard]] SharedTrajectory reversed() const;
 
     [[nodiscard]] double size() const { return motion_.relative->size(); }
     [[nodiscard]] SharedFrame frame() const { return motion_.fixed ? nullptr : motion_.moving; }

@@ -46,13 +46,22 @@ private:
     struct Knot {
         NearKnot near;
         Touch touch = Touch::apart;
+        std::optional<Overlap> overlap = {}; ///< that is known there
     };
 
     bool search();
+    [[nodiscard]] double clear_until(const motion::AnyTrajectory& trajectory);
     bool search(const PieceContext& piece);
     [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
+    /// The bodies are tested at rest there.
+    Knot knot_in_contact(double tau, const Features& guesses);
+    Knot knot_beside(double tau, std::initializer_list<const Knot*> known);
+    Knot first_knot();
+    [[nodiscard]] std::optional<Overlap> lasting(Overlap overlap, const NearKnot& near) const;
+    [[nodiscard]] std::optional<Knot> overlapping_knot(double tau, const Knot& near) const;
+    [[nodiscard]] bool overlap_all_along(const Knot& start, const Knot& end) const;
     NearKnot nearest_at(double tau, const Features& guesses);
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
@@ -68,10 +77,10 @@ private:
     const motion::AnyTrajectory& trajectory_;
     ProfileOptions options_;
     double radii_;
-    double clear_until_ = 1; ///< time: nothing touches before it
+    Bracket touching_{1, 0}; ///< times: nothing touches before and after; empty if nothing touches at all
     const PieceContext* piece_ = nullptr;
     std::optional<ChordBounds> chords_; ///< of the piece
-    Features last_;                     ///< nearest at the end of the piece before
+    std::optional<Knot> last_;          ///< of the piece before
     int parts_ = 0;
     query::ProfileSteps steps_;
     bool certain_ = true;
@@ -100,11 +109,17 @@ DistanceProfile ProfileSearch::run() {
     return profile;
 }
 
+double ProfileSearch::clear_until(const motion::AnyTrajectory& trajectory) {
+    const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory, QueryOptions{}});
+    work_ += touch.work;
+    return touch.clear_until;
+}
+
 /// False at a limit.
 bool ProfileSearch::search() {
-    const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory_, QueryOptions{}});
-    work_ += touch.work;
-    clear_until_ = touch.clear_until;
+    touching_.lower = clear_until(trajectory_);
+    if (touching_.lower < 1)
+        touching_.upper = 1 - clear_until(*trajectory_.reversed());
     const auto pieces = trajectory_.pieces();
     bool is_whole = true;
     for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
@@ -145,16 +160,20 @@ bool ProfileSearch::search(const PieceContext& piece) {
     piece_ = &piece;
     steps_.begin(piece.piece());
     chords_.emplace(piece);
-    Knot start = knot_at(0, last_);
-    std::vector<Knot> ends{knot_at(1, {start.near.features})};
-    last_ = {ends.front().near.features};
+    Knot start = first_knot();
+    std::vector<Knot> ends{knot_beside(1, {&start})};
+    last_ = ends.front();
     while (!ends.empty() && !is_cancelled()) {
         ++parts_;
         const Knot& end = ends.back();
         const Bracket part{start.near.tau, end.near.tau};
         const double width = part.upper - part.lower;
         const bool is_last = width <= shortest_part || parts_ > most_parts;
-        if (const auto far = beyond_others(start, end)) {
+        if (overlap_all_along(start, end)) {
+            steps_.add_one(part, 0, 0);
+            start = end;
+            ends.pop_back();
+        } else if (const auto far = beyond_others(start, end)) {
             steps_.add_one(part, far->lower.least(), far->upper.greatest());
             start = end;
             ends.pop_back();
@@ -166,7 +185,7 @@ bool ProfileSearch::search(const PieceContext& piece) {
             start = end;
             ends.pop_back();
         } else {
-            ends.push_back(knot_at(part.lower + 0.5 * width, {start.near.features, end.near.features}));
+            ends.push_back(knot_beside(part.lower + 0.5 * width, {&start, &end}));
         }
     }
     work_ += chords_->work();
@@ -184,21 +203,76 @@ NearKnot ProfileSearch::nearest_at(double tau, const Features& guesses) {
     });
 }
 
-/// Before the first contact nothing touches. Later, the bodies are tested at rest.
+/// Before the first contact and after the last one nothing touches.
 ProfileSearch::Knot ProfileSearch::knot_at(double tau, const Features& guesses) {
-    if (clear_until_ < 1 && steps_.time_of(tau) >= clear_until_) {
-        const Pose moving = piece_->piece().pose_at(tau), fixed = piece_->piece().fixed_pose_at(tau);
-        const Motion at_rest = Motion::at_rest(Pose(fixed.isometry().inverse() * moving.isometry()));
-        const FirstContact found = query::answer_or_unknown({moving_, fixed_, at_rest.trajectory(), QueryOptions{}});
-        work_ += found.work;
-        if (found.overlap)
-            return {chords_->crossing_at(tau, found.overlap->point), Touch::meets};
-        const Touch touch = found.inside                                 ? Touch::nested
-                            : found.verdict == Verdict::contact_at_start ? Touch::meets
-                                                                         : Touch::apart;
-        return {nearest_at(tau, guesses), touch};
-    }
+    const double time = touching_.lower < 1 ? steps_.time_of(tau) : 0;
+    if (touching_.lower <= time && time <= touching_.upper)
+        return knot_in_contact(tau, guesses);
     return {nearest_at(tau, guesses), Touch::apart};
+}
+
+ProfileSearch::Knot ProfileSearch::knot_in_contact(double tau, const Features& guesses) {
+    const Pose moving = piece_->piece().pose_at(tau), fixed = piece_->piece().fixed_pose_at(tau);
+    const Motion at_rest = Motion::at_rest(Pose(fixed.isometry().inverse() * moving.isometry()));
+    const FirstContact found = query::answer_or_unknown({moving_, fixed_, at_rest.trajectory(), QueryOptions{}});
+    work_ += found.work;
+    if (found.overlap) {
+        const NearKnot near = chords_->crossing_at(tau, found.overlap->point);
+        return {near, Touch::meets, lasting(*found.overlap, near)};
+    }
+    const Touch touch = found.inside                                 ? Touch::nested
+                        : found.verdict == Verdict::contact_at_start ? Touch::meets
+                                                                     : Touch::apart;
+    return {nearest_at(tau, guesses), touch};
+}
+
+/// The overlap with the face of the library's body, of those with its id in the input.
+std::optional<Overlap> ProfileSearch::lasting(Overlap overlap, const NearKnot& near) const {
+    const Body& of_face = overlap.edge_is_moving ? fixed_ : moving_;
+    const std::uint32_t id = overlap.face.first;
+    for (std::uint32_t face = 0; face < of_face.face_count(); ++face) {
+        overlap.face = {face, face};
+        if (of_face.source_face(face) == id && chords_->crosses_between(near, near, overlap))
+            return overlap;
+    }
+    return std::nullopt;
+}
+
+/// Beside knots that are known. An overlap that lasts from one of them need not be looked for.
+ProfileSearch::Knot ProfileSearch::knot_beside(double tau, std::initializer_list<const Knot*> known) {
+    Features guesses;
+    for (const Knot* knot : known) {
+        if (auto overlapping = overlapping_knot(tau, *knot))
+            return *std::move(overlapping);
+        if (knot->near.distance > 0)
+            guesses.push_back(knot->near.features);
+    }
+    return knot_at(tau, guesses);
+}
+
+/// The poses are those of the end of the piece before.
+ProfileSearch::Knot ProfileSearch::first_knot() {
+    if (!last_)
+        return knot_at(0, {});
+    Knot same = *last_;
+    same.near.tau = 0;
+    return knot_beside(0, {&same});
+}
+
+std::optional<ProfileSearch::Knot> ProfileSearch::overlapping_knot(double tau, const Knot& near) const {
+    if (!near.overlap)
+        return std::nullopt;
+    Knot knot{chords_->crossing_at(tau, *near.overlap), Touch::meets, near.overlap};
+    const bool is_later = near.near.tau < tau;
+    const NearKnot &start = is_later ? near.near : knot.near, &end = is_later ? knot.near : near.near;
+    return chords_->crosses_between(start, end, *near.overlap) ? std::optional(std::move(knot)) : std::nullopt;
+}
+
+bool ProfileSearch::overlap_all_along(const Knot& start, const Knot& end) const {
+    const auto lasts = [&](const Knot& knot) {
+        return knot.overlap && chords_->crosses_between(start.near, end.near, *knot.overlap);
+    };
+    return lasts(start) || lasts(end);
 }
 
 std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const Knot& end, bool is_last) {

@@ -2,7 +2,9 @@
 // Source: docs/derivations/39-profile.md.
 #pragma once
 
+#include "chasles/contact/contact.h"
 #include "chasles/culling/face_separation.h"
+#include "chasles/search/lasting_overlap.h"
 #include "chasles/search/nearest_features.h"
 #include "chasles/search/piece_context.h"
 
@@ -53,6 +55,10 @@ public:
     NearKnot nearest_at(double tau, std::span<const contact::FeaturePair> guesses, const Error& error);
     /// The surfaces pass through each other there, in this point of the fixed body's frame.
     [[nodiscard]] NearKnot crossing_at(double tau, const Eigen::Vector3d& point) const;
+    /// Where an edge and a face pass through each other at a tau. Faces have the ids of the library's bodies.
+    [[nodiscard]] NearKnot crossing_at(double tau, const Overlap& overlap) const;
+    /// Whether they are proven to do so all along between two knots.
+    [[nodiscard]] bool crosses_between(const NearKnot& start, const NearKnot& end, const Overlap& overlap) const;
 
     /// The bounds between two knots. With `widths`, empty if they are farther apart than that at either end; without,
     /// as near as the knots allow.
@@ -78,6 +84,10 @@ private:
         double slack;
     };
     [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end) const;
+    /// For points of both bodies that are no farther apart than that.
+    [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end, double farthest) const;
+    [[nodiscard]] ChordPoint chord_of(bool is_moving, std::uint32_t vertex, const NearKnot& start,
+                                      const NearKnot& end) const;
     bool are_beyond_at(const NearKnot& knot, double distance);
     [[nodiscard]] LinearBound upper(const NearKnot& start, const NearKnot& end);
     [[nodiscard]] double way_of_points(const NearKnot& from, const NearKnot& to);

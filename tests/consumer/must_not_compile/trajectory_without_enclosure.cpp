@@ -37,6 +37,7 @@ struct Trajectory {
     [[nodiscard]] static std::optional<motion::CoarseMotion> coarse(std::size_t) { return std::nullopt; }
     [[nodiscard]] static Pose pose_at(double) { return {}; }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
+    [[nodiscard]] static motion::SharedTrajectory reversed() { return nullptr; }
 };
 
 } // namespace
