@@ -52,6 +52,8 @@ private:
     bool search();
     [[nodiscard]] double clear_until(const motion::AnyTrajectory& trajectory);
     bool search(const PieceContext& piece);
+    bool add_part(const Knot& start, const Knot& end);
+    [[nodiscard]] double greatest_of_others(const Bracket& tau) const;
     [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
     using Features = std::vector<contact::FeaturePair>;
     Knot knot_at(double tau, const Features& guesses);
@@ -144,15 +146,19 @@ Bracket ProfileSearch::of_balls() const {
 
 /// The bounds of a part that needs no closer ones, because another distance is less all along.
 std::optional<DistanceBounds> ProfileSearch::beyond_others(const Knot& start, const Knot& end) {
-    const Bracket &part = question_.part, local{steps_.time_of(start.near.tau), steps_.time_of(end.near.tau)};
-    const auto in_part = [&](double time) { return part.lower + time * (part.upper - part.lower); };
-    const double others = question_.others.greatest_upper({in_part(local.lower), in_part(local.upper)});
-    const bool may_be = start.touch == Touch::apart && end.touch == Touch::apart &&
-                        std::min(start.near.distance, end.near.distance) - radii_ >= others;
-    if (!may_be)
+    if (start.touch != Touch::apart || end.touch != Touch::apart)
+        return std::nullopt;
+    const double others = greatest_of_others({start.near.tau, end.near.tau});
+    if (std::min(start.near.distance, end.near.distance) - radii_ < others)
         return std::nullopt;
     const DistanceBounds bounds = of_bodies(*chords_->between(start.near, end.near, std::nullopt));
     return bounds.lower.least() >= others ? std::optional(bounds) : std::nullopt;
+}
+
+double ProfileSearch::greatest_of_others(const Bracket& tau) const {
+    const Bracket& part = question_.part;
+    const auto in_part = [&](double end) { return part.lower + steps_.time_of(end) * (part.upper - part.lower); };
+    return question_.others.greatest_upper({in_part(tau.lower), in_part(tau.upper)});
 }
 
 /// From part to part in order of time. A part whose bounds are too far from each other is halved. False at a limit.
@@ -164,32 +170,35 @@ bool ProfileSearch::search(const PieceContext& piece) {
     std::vector<Knot> ends{knot_beside(1, {&start})};
     last_ = ends.front();
     while (!ends.empty() && !is_cancelled()) {
-        ++parts_;
-        const Knot& end = ends.back();
-        const Bracket part{start.near.tau, end.near.tau};
-        const double width = part.upper - part.lower;
-        const bool is_last = width <= shortest_part || parts_ > most_parts;
-        if (overlap_all_along(start, end)) {
-            steps_.add_one(part, 0, 0);
-            start = end;
-            ends.pop_back();
-        } else if (const auto far = beyond_others(start, end)) {
-            steps_.add_one(part, far->lower.least(), far->upper.greatest());
-            start = end;
-            ends.pop_back();
-        } else if (const auto bounds = bounds_of(start, end, is_last)) {
-            if (start.touch == Touch::apart || end.touch == Touch::apart)
-                steps_.add(part, *bounds);
-            else
-                steps_.add_one(part, 0, std::max(0.0, bounds->upper.greatest()));
-            start = end;
+        if (add_part(start, ends.back())) {
+            start = std::move(ends.back());
             ends.pop_back();
         } else {
-            ends.push_back(knot_beside(part.lower + 0.5 * width, {&start, &end}));
+            ends.push_back(knot_beside(0.5 * (start.near.tau + ends.back().near.tau), {&start, &ends.back()}));
         }
     }
     work_ += chords_->work();
     return ends.empty();
+}
+
+/// False if the part is to be halved.
+bool ProfileSearch::add_part(const Knot& start, const Knot& end) {
+    const Bracket part{start.near.tau, end.near.tau};
+    const bool is_last = part.upper - part.lower <= shortest_part || ++parts_ > most_parts;
+    if (overlap_all_along(start, end)) {
+        steps_.add_one(part, 0, 0);
+        return true;
+    }
+    if (const auto far = beyond_others(start, end)) {
+        steps_.add_one(part, far->lower.least(), far->upper.greatest());
+        return true;
+    }
+    const auto bounds = bounds_of(start, end, is_last);
+    if (bounds && start.touch != Touch::apart && end.touch != Touch::apart)
+        steps_.add_one(part, 0, std::max(0.0, bounds->upper.greatest()));
+    else if (bounds)
+        steps_.add(part, *bounds);
+    return bounds.has_value();
 }
 
 /// The features may be other ones than the nearest, by an eighth of the width of bounds; where a margin is near, by an

@@ -140,6 +140,32 @@ TEST(Profile, NamesTheTimesThatAreFree) {
         found, [](double time) { return std::max(0.0, std::abs(10 * time - 6) - 2); }, 200);
 }
 
+/// A cube passes through two others, which are one body. The distance is 0 while it does, without many steps.
+TEST(Profile, OverlapsThatLastAreOneStepOrAFew) {
+    Body two = box({0.3, 0.3, 2});
+    add_box(two, {6, 0, 0}, {0.3, 0.3, 2});
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron(), posts = two.polyhedron();
+    const Pose tilted({0.1, 0.2, 0.3}, Eigen::Quaterniond(1, 0.2, 0.3, 0.1));
+    for (const Motion& motion : {Motion::slider({1, 0, 0}, {-3, 12}) * Motion::at_rest(tilted),
+                                 Motion::velocity(shifted(-3, 0.1, 0.2), Pose({9, 0.2, 0.1}, tilted.rotation)),
+                                 Motion::screw(Pose({-3, 0.2, 0}, tilted.rotation), shifted(9, 0, 0.1))}) {
+        const DistanceProfile found = ask(cube, posts, motion);
+        EXPECT_TRUE(found.certain);
+        EXPECT_EQ(found.free().size(), 3U);
+        expect_holds(
+            found, [&](double time) { return distance_at(cube, posts, motion.pose_at(time)); }, 300);
+        std::size_t zero = 0;
+        double time = 0;
+        for (std::size_t i = 0; i + 1 < found.times.size(); ++i)
+            if (found.upper[i] == 0) {
+                ++zero;
+                time += found.times[i + 1] - found.times[i];
+            }
+        EXPECT_GT(time, 0.2) << "of two times 1.6 / 12 at least, less what is shallow";
+        EXPECT_LT(zero, 60U);
+    }
+}
+
 /// Round bodies touch while their polyhedra are apart.
 TEST(Profile, RoundBodiesAreFreeUntilTheirRadiiMeet) {
     const Polyhedron cube = box({1, 1, 1}).polyhedron().with_radius(0.5);
