@@ -2,6 +2,7 @@
 
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/profile_knots.h"
 #include "chasles/query/profile_steps.h"
 #include "chasles/query/requirements.h"
 #include "chasles/search/chord_bounds.h"
@@ -14,10 +15,9 @@ namespace chasles {
 
 namespace {
 
-using search::ChordBounds;
+using query::time_of;
 using search::DistanceBounds;
 using search::LinearBound;
-using search::NearKnot;
 using search::PieceContext;
 
 /// Parts of a piece are not halved below this width in tau.
@@ -42,34 +42,20 @@ public:
     DistanceProfile run();
 
 private:
-    enum class Touch : std::uint8_t { apart, meets, nested };
-    struct Knot {
-        NearKnot near;
-        Touch touch = Touch::apart;
-        std::optional<Overlap> overlap = {}; ///< that is known there
-    };
+    using Knot = query::ProfileKnot;
+    using Touch = Knot::Touch;
 
     bool search();
-    [[nodiscard]] double clear_until(const motion::AnyTrajectory& trajectory);
     bool search(const PieceContext& piece);
     bool add_part(const Knot& start, const Knot& end);
     [[nodiscard]] double greatest_of_others(const Bracket& tau) const;
     [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
-    using Features = std::vector<contact::FeaturePair>;
-    Knot knot_at(double tau, const Features& guesses);
-    /// The bodies are tested at rest there.
-    Knot knot_in_contact(double tau, const Features& guesses);
-    Knot knot_beside(double tau, std::initializer_list<const Knot*> known);
-    Knot first_knot();
-    [[nodiscard]] std::optional<Overlap> lasting(Overlap overlap, const NearKnot& near) const;
-    [[nodiscard]] std::optional<Knot> overlapping_knot(double tau, const Knot& near) const;
-    [[nodiscard]] bool overlap_all_along(const Knot& start, const Knot& end) const;
-    NearKnot nearest_at(double tau, const Features& guesses);
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
     DistanceBounds touching_bounds(const Knot& start, const Knot& end);
     [[nodiscard]] DistanceBounds of_bodies(const DistanceBounds& of_surfaces) const;
     [[nodiscard]] double width_at(double distance) const;
+    [[nodiscard]] double error_at(double distance) const;
     [[nodiscard]] LinearBound widths_of(const Knot& start, const Knot& end) const;
     [[nodiscard]] Bracket of_balls() const;
 
@@ -79,20 +65,17 @@ private:
     const motion::AnyTrajectory& trajectory_;
     ProfileOptions options_;
     double radii_;
-    Bracket touching_{1, 0}; ///< times: nothing touches before and after; empty if nothing touches at all
-    const PieceContext* piece_ = nullptr;
-    std::optional<ChordBounds> chords_; ///< of the piece
-    std::optional<Knot> last_;          ///< of the piece before
+    query::ProfileKnots knots_;
     int parts_ = 0;
+    const motion::AnyPiece* piece_ = nullptr;
     query::ProfileSteps steps_;
     bool certain_ = true;
-    Work work_;
 };
 
 ProfileSearch::ProfileSearch(const query::PairProfileQuery& question)
     : question_(question), moving_(question.moving), fixed_(question.fixed), trajectory_(question.trajectory),
       options_(question.options), radii_(distance_of_polyhedra(moving_, fixed_, 0)),
-      steps_(options_, 1 - share_of_bounds) {
+      knots_(question, [this](double distance) { return error_at(distance); }), steps_(options_, 1 - share_of_bounds) {
     if (options_.absolute_tolerance == 0)
         options_.absolute_tolerance = 1e-6 * (moving_.ball_radius() + fixed_.ball_radius());
     std::ranges::sort(options_.margins);
@@ -107,21 +90,13 @@ DistanceProfile ProfileSearch::run() {
     }
     DistanceProfile profile = std::move(steps_).result();
     profile.certain = certain_;
-    profile.work = work_;
+    profile.work = knots_.work();
     return profile;
-}
-
-double ProfileSearch::clear_until(const motion::AnyTrajectory& trajectory) {
-    const FirstContact touch = query::answer_or_unknown({moving_, fixed_, trajectory, QueryOptions{}});
-    work_ += touch.work;
-    return touch.clear_until;
 }
 
 /// False at a limit.
 bool ProfileSearch::search() {
-    touching_.lower = clear_until(trajectory_);
-    if (touching_.lower < 1)
-        touching_.upper = 1 - clear_until(*trajectory_.reversed());
+    knots_.find_contacts();
     const auto pieces = trajectory_.pieces();
     bool is_whole = true;
     for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)
@@ -151,33 +126,31 @@ std::optional<DistanceBounds> ProfileSearch::beyond_others(const Knot& start, co
     const double others = greatest_of_others({start.near.tau, end.near.tau});
     if (std::min(start.near.distance, end.near.distance) - radii_ < others)
         return std::nullopt;
-    const DistanceBounds bounds = of_bodies(*chords_->between(start.near, end.near, std::nullopt));
+    const DistanceBounds bounds = of_bodies(*knots_.bounds().between(start.near, end.near, std::nullopt));
     return bounds.lower.least() >= others ? std::optional(bounds) : std::nullopt;
 }
 
 double ProfileSearch::greatest_of_others(const Bracket& tau) const {
     const Bracket& part = question_.part;
-    const auto in_part = [&](double end) { return part.lower + steps_.time_of(end) * (part.upper - part.lower); };
+    const auto in_part = [&](double end) { return part.lower + time_of(*piece_, end) * (part.upper - part.lower); };
     return question_.others.greatest_upper({in_part(tau.lower), in_part(tau.upper)});
 }
 
 /// From part to part in order of time. A part whose bounds are too far from each other is halved. False at a limit.
 bool ProfileSearch::search(const PieceContext& piece) {
-    piece_ = &piece;
+    piece_ = &piece.piece();
     steps_.begin(piece.piece());
-    chords_.emplace(piece);
-    Knot start = first_knot();
-    std::vector<Knot> ends{knot_beside(1, {&start})};
-    last_ = ends.front();
+    knots_.begin(piece);
+    Knot start = knots_.first();
+    std::vector<Knot> ends{knots_.last(start)};
     while (!ends.empty() && !is_cancelled()) {
         if (add_part(start, ends.back())) {
             start = std::move(ends.back());
             ends.pop_back();
         } else {
-            ends.push_back(knot_beside(0.5 * (start.near.tau + ends.back().near.tau), {&start, &ends.back()}));
+            ends.push_back(knots_.beside(0.5 * (start.near.tau + ends.back().near.tau), {&start, &ends.back()}));
         }
     }
-    work_ += chords_->work();
     return ends.empty();
 }
 
@@ -185,7 +158,7 @@ bool ProfileSearch::search(const PieceContext& piece) {
 bool ProfileSearch::add_part(const Knot& start, const Knot& end) {
     const Bracket part{start.near.tau, end.near.tau};
     const bool is_last = part.upper - part.lower <= shortest_part || ++parts_ > most_parts;
-    if (overlap_all_along(start, end)) {
+    if (knots_.overlap_all_along(start, end)) {
         steps_.add_one(part, 0, 0);
         return true;
     }
@@ -201,89 +174,6 @@ bool ProfileSearch::add_part(const Knot& start, const Knot& end) {
     return bounds.has_value();
 }
 
-/// The features may be other ones than the nearest, by an eighth of the width of bounds; where a margin is near, by an
-/// eighth of the narrowest ones.
-NearKnot ProfileSearch::nearest_at(double tau, const Features& guesses) {
-    return chords_->nearest_at(tau, guesses, [&](double distance) {
-        const double width = width_at(distance);
-        const bool is_at_margin = std::ranges::any_of(
-            options_.margins, [&](double margin) { return std::abs(distance - radii_ - margin) <= width; });
-        return 0.125 * width * (is_at_margin ? narrowest : 1);
-    });
-}
-
-/// Before the first contact and after the last one nothing touches.
-ProfileSearch::Knot ProfileSearch::knot_at(double tau, const Features& guesses) {
-    const double time = touching_.lower < 1 ? steps_.time_of(tau) : 0;
-    if (touching_.lower <= time && time <= touching_.upper)
-        return knot_in_contact(tau, guesses);
-    return {nearest_at(tau, guesses), Touch::apart};
-}
-
-ProfileSearch::Knot ProfileSearch::knot_in_contact(double tau, const Features& guesses) {
-    const Pose moving = piece_->piece().pose_at(tau), fixed = piece_->piece().fixed_pose_at(tau);
-    const Motion at_rest = Motion::at_rest(Pose(fixed.isometry().inverse() * moving.isometry()));
-    const FirstContact found = query::answer_or_unknown({moving_, fixed_, at_rest.trajectory(), QueryOptions{}});
-    work_ += found.work;
-    if (found.overlap) {
-        const NearKnot near = chords_->crossing_at(tau, found.overlap->point);
-        return {near, Touch::meets, lasting(*found.overlap, near)};
-    }
-    const Touch touch = found.inside                                 ? Touch::nested
-                        : found.verdict == Verdict::contact_at_start ? Touch::meets
-                                                                     : Touch::apart;
-    return {nearest_at(tau, guesses), touch};
-}
-
-/// The overlap with the face of the library's body, of those with its id in the input.
-std::optional<Overlap> ProfileSearch::lasting(Overlap overlap, const NearKnot& near) const {
-    const Body& of_face = overlap.edge_is_moving ? fixed_ : moving_;
-    const std::uint32_t id = overlap.face.first;
-    for (std::uint32_t face = 0; face < of_face.face_count(); ++face) {
-        overlap.face = {face, face};
-        if (of_face.source_face(face) == id && chords_->crosses_between(near, near, overlap))
-            return overlap;
-    }
-    return std::nullopt;
-}
-
-/// Beside knots that are known. An overlap that lasts from one of them need not be looked for.
-ProfileSearch::Knot ProfileSearch::knot_beside(double tau, std::initializer_list<const Knot*> known) {
-    Features guesses;
-    for (const Knot* knot : known) {
-        if (auto overlapping = overlapping_knot(tau, *knot))
-            return *std::move(overlapping);
-        if (knot->near.distance > 0)
-            guesses.push_back(knot->near.features);
-    }
-    return knot_at(tau, guesses);
-}
-
-/// The poses are those of the end of the piece before.
-ProfileSearch::Knot ProfileSearch::first_knot() {
-    if (!last_)
-        return knot_at(0, {});
-    Knot same = *last_;
-    same.near.tau = 0;
-    return knot_beside(0, {&same});
-}
-
-std::optional<ProfileSearch::Knot> ProfileSearch::overlapping_knot(double tau, const Knot& near) const {
-    if (!near.overlap)
-        return std::nullopt;
-    Knot knot{chords_->crossing_at(tau, *near.overlap), Touch::meets, near.overlap};
-    const bool is_later = near.near.tau < tau;
-    const NearKnot &start = is_later ? near.near : knot.near, &end = is_later ? knot.near : near.near;
-    return chords_->crosses_between(start, end, *near.overlap) ? std::optional(std::move(knot)) : std::nullopt;
-}
-
-bool ProfileSearch::overlap_all_along(const Knot& start, const Knot& end) const {
-    const auto lasts = [&](const Knot& knot) {
-        return knot.overlap && chords_->crosses_between(start.near, end.near, *knot.overlap);
-    };
-    return lasts(start) || lasts(end);
-}
-
 std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const Knot& end, bool is_last) {
     if (start.touch != Touch::apart && end.touch != Touch::apart) {
         const DistanceBounds bounds = touching_bounds(start, end);
@@ -297,23 +187,23 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
     if (!is_last && (is_nested || depth > options_.absolute_tolerance))
         return std::nullopt;
     if (is_nested)
-        return of_bodies({{}, chords_->upper_between(start.near, end.near)});
+        return of_bodies({{}, knots_.bounds().upper_between(start.near, end.near)});
     if (is_last) {
         certain_ = false;
-        return of_bodies(*chords_->between(start.near, end.near, std::nullopt));
+        return of_bodies(*knots_.bounds().between(start.near, end.near, std::nullopt));
     }
     const LinearBound widths = widths_of(start, end);
-    const auto found = chords_->between(start.near, end.near, widths);
+    const auto found = knots_.bounds().between(start.near, end.near, widths);
     if (!found)
         return std::nullopt;
     const DistanceBounds bounds = of_bodies(*found);
-    const double time = steps_.time_of(end.near.tau) - steps_.time_of(start.near.tau);
+    const double time = time_of(*piece_, end.near.tau) - time_of(*piece_, start.near.tau);
     const auto is_in_doubt = [&](const DistanceBounds& b) {
         return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
     };
     if (!is_in_doubt(bounds))
         return bounds;
-    const DistanceBounds best = of_bodies(*chords_->between(start.near, end.near, std::nullopt));
+    const DistanceBounds best = of_bodies(*knots_.bounds().between(start.near, end.near, std::nullopt));
     const bool is_margin = query::share_in_doubt(best, options_.margins) == 1 &&
                            best.upper.greatest() - best.lower.least() <= narrowest * widths.least();
     if (is_in_doubt(best) && !is_margin && time > options_.time_tolerance)
@@ -334,11 +224,11 @@ LinearBound ProfileSearch::widths_of(const Knot& start, const Knot& end) const {
 /// While the surfaces do not meet, what is inside stays inside.
 DistanceBounds ProfileSearch::touching_bounds(const Knot& start, const Knot& end) {
     if (start.touch == Touch::nested && end.touch == Touch::nested) {
-        const auto of_surfaces = chords_->between(start.near, end.near, std::nullopt);
+        const auto of_surfaces = knots_.bounds().between(start.near, end.near, std::nullopt);
         if (of_surfaces->lower.least() > 0)
             return {};
     }
-    return of_bodies({{}, chords_->upper_between(start.near, end.near)});
+    return of_bodies({{}, knots_.bounds().upper_between(start.near, end.near)});
 }
 
 DistanceBounds ProfileSearch::of_bodies(const DistanceBounds& of_surfaces) const {
@@ -347,6 +237,14 @@ DistanceBounds ProfileSearch::of_bodies(const DistanceBounds& of_surfaces) const
     };
     const double rounding = 0x1p-50 * radii_;
     return {less_radii(of_surfaces.lower, -rounding), less_radii(of_surfaces.upper, rounding)};
+}
+
+/// Of nearest features: an eighth of the width of bounds; where a margin is near, an eighth of the narrowest ones.
+double ProfileSearch::error_at(double distance) const {
+    const double width = width_at(distance);
+    const bool is_at_margin = std::ranges::any_of(
+        options_.margins, [&](double margin) { return std::abs(distance - radii_ - margin) <= width; });
+    return 0.125 * width * (is_at_margin ? narrowest : 1);
 }
 
 double ProfileSearch::width_at(double distance) const {

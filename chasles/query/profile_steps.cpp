@@ -48,8 +48,8 @@ double share_in_doubt(const DistanceBounds& bounds, std::span<const double> marg
     return longest;
 }
 
-double ProfileSteps::time_of(double tau) const {
-    const Bracket time = piece_->time_of({tau, tau});
+double time_of(const motion::AnyPiece& piece, double tau) {
+    const Bracket time = piece.time_of({tau, tau});
     return std::clamp(0.5 * (time.lower + time.upper), 0.0, 1.0);
 }
 
@@ -92,8 +92,8 @@ void ProfileSteps::add_even(const Bracket& part, const DistanceBounds& lines) {
 
 void ProfileSteps::add_one(const Bracket& part, double lower, double upper) {
     if (profile_.times.empty())
-        profile_.times.push_back(time_of(part.lower));
-    add_until(time_of(part.upper), lower, upper);
+        profile_.times.push_back(time_of(*piece_, part.lower));
+    add_until(time_of(*piece_, part.upper), lower, upper);
 }
 
 /// Steps between equal times are one.

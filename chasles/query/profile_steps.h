@@ -13,6 +13,9 @@ namespace chasles::query {
 /// For what share of a part it is not known whether the distance is more than some margin.
 double share_in_doubt(const search::DistanceBounds& bounds, std::span<const double> margins);
 
+/// The time of a tau, rounded.
+double time_of(const motion::AnyPiece& piece, double tau);
+
 /// Takes parts in order of time.
 class ProfileSteps {
 public:
@@ -22,7 +25,6 @@ public:
 
     /// Parts are of this piece, which is kept by reference.
     void begin(const motion::AnyPiece& piece) { piece_ = &piece; }
-    [[nodiscard]] double time_of(double tau) const;
 
     /// Between the margins that the lines cross.
     void add(const Bracket& part, const search::DistanceBounds& lines);

@@ -1,0 +1,67 @@
+// What is known of two bodies at single times of a motion. Source: docs/derivations/39-profile.md, "Touch".
+#pragma once
+
+#include "chasles/query/pair_query.h"
+#include "chasles/search/chord_bounds.h"
+
+#include <initializer_list>
+#include <optional>
+#include <vector>
+
+namespace chasles::query {
+
+/// Two bodies at one tau of a piece.
+struct ProfileKnot {
+    enum class Touch : std::uint8_t { apart, meets, nested };
+
+    search::NearKnot near;
+    Touch touch = Touch::apart;
+    std::optional<Overlap> overlap = {}; ///< that is known there; faces have the ids of the library's bodies
+};
+
+/// Finds knots of one piece after another, in order of time.
+class ProfileKnots {
+public:
+    /// The question is kept by reference. Nearest features may be other ones than the nearest, by the error.
+    ProfileKnots(const PairProfileQuery& question, search::ChordBounds::Error error)
+        : question_(question), error_(std::move(error)) {}
+
+    /// Searches the first and the last contact.
+    void find_contacts();
+    /// Knots are of this piece, which is kept by reference.
+    void begin(const search::PieceContext& piece);
+    [[nodiscard]] search::ChordBounds& bounds() { return *bounds_; }
+
+    /// At the start of the piece, where the one before ends.
+    ProfileKnot first();
+    /// Beside knots that are known.
+    ProfileKnot beside(double tau, std::initializer_list<const ProfileKnot*> known);
+    /// At the end of the piece.
+    ProfileKnot last(const ProfileKnot& first);
+
+    /// Whether the surfaces are proven to meet from one knot to the next.
+    [[nodiscard]] bool overlap_all_along(const ProfileKnot& start, const ProfileKnot& end) const;
+
+    /// Of all pieces.
+    [[nodiscard]] Work work() const;
+
+private:
+    using Features = std::vector<contact::FeaturePair>;
+
+    [[nodiscard]] double clear_until(const motion::AnyTrajectory& trajectory);
+    ProfileKnot at(double tau, const Features& guesses);
+    /// The bodies are tested at rest there.
+    ProfileKnot in_contact(double tau, const Features& guesses);
+    [[nodiscard]] std::optional<Overlap> lasting(Overlap overlap, const search::NearKnot& near) const;
+    [[nodiscard]] std::optional<ProfileKnot> overlapping(double tau, const ProfileKnot& near) const;
+
+    const PairProfileQuery& question_;
+    search::ChordBounds::Error error_;
+    Bracket touching_{1, 0}; ///< times: nothing touches before and after; empty if nothing touches at all
+    const search::PieceContext* piece_ = nullptr;
+    std::optional<search::ChordBounds> bounds_; ///< of the piece
+    std::optional<ProfileKnot> last_;           ///< of the piece before
+    Work work_;
+};
+
+} // namespace chasles::query
