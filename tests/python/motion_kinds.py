@@ -33,5 +33,6 @@ KINDS = {
     "product": lambda: chasles.ConstantVelocity.between(START, GOAL) * chasles.Motion.hinge([0, 0, 0], [0, 0, 1], [0, 1]),
     "relative": lambda: chasles.relative(slider(), chasles.Motion.hinge([9, 9, 0], [0, 0, 1], [0, 0.01])),
     "rest of": lambda: chasles.rest_of(slider(), 0.25),
+    "reversed": lambda: (chasles.Motion.hinge([2, 2, 0], [0, 0, 1], [3, -3]) * chasles.Motion.at_rest(START)).reversed(),
     "relative trajectory": lambda: chasles.relative(trajectory(), chasles.Motion.at_rest([0, 0, 0, 1, 0, 0, 0])),
 }

@@ -110,6 +110,7 @@ MOTIONS = {
         lambda: velocity() * hinge() * (slider() * chasles.ConstantTwist.between(*poses(2))),
         lambda: chasles.relative(velocity() * hinge(), track()),
         lambda: chasles.rest_of(slider() * hinge(), 1 / 3),
+        lambda: (slider() * trajectory()).reversed(),
         lambda: chasles.Motion.at_rest(any_pose(1)) * trajectory(),
         lambda: trajectory() * chasles.rest_of(trajectory(), 0.1),
         lambda: scene().all_contacts(margin=1)[0].motion,
