@@ -23,9 +23,9 @@ def test_screws_and_sweeps_stay_what_they_are(kind):
 
 
 def test_the_last_contact_is_the_first_one_on_the_way_back(cube):
-    # A cube of side 2 comes from x = 3 to -1, so it goes no farther than into the other one; then from 3 to -5.
+    # Two unit cubes touch from x = 1 to x = -1 on the way from 3 to -5.
     beyond = [-5, *GOAL[1:]]
     through = chasles.ConstantVelocity.between(START, beyond)
-    assert chasles.first_contact(cube, cube, motion=through).time == pytest.approx(1 / 8, abs=1e-12)
+    assert chasles.first_contact(cube, cube, motion=through).time == pytest.approx(2 / 8, abs=1e-12)
     last = chasles.first_contact(cube, cube, motion=through.reversed())
-    assert 1 - last.time == pytest.approx(5 / 8, abs=1e-12)
+    assert 1 - last.time == pytest.approx(4 / 8, abs=1e-12)
