@@ -2,6 +2,7 @@
 
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/culling/split_nodes.h"
+#include "chasles/search/lasting_overlap.h"
 
 #include <cmath>
 #include <limits>
@@ -83,52 +84,16 @@ NearKnot ChordBounds::crossing_at(double tau, const Vector3d& point) const {
             .pose = context_.configuration_at(tau).pose()};
 }
 
-/// A vertex, in the frame of the fixed body.
-ChordPoint ChordBounds::chord_of(bool is_moving, std::uint32_t vertex, const NearKnot& start,
-                                 const NearKnot& end) const {
-    if (!is_moving)
-        return {context_.fixed().vertices()[vertex], context_.fixed().vertices()[vertex]};
-    const Vector3d& point = context_.moving().vertices()[vertex];
-    return {moved(start.pose, point), moved(end.pose, point)};
-}
-
-/// The point of the edge in the plane of the face, up to rounding.
 NearKnot ChordBounds::crossing_at(double tau, const Overlap& overlap) const {
-    const NearKnot knot = crossing_at(tau, Vector3d::Zero());
-    const auto point = [&](bool is_moving, std::uint32_t vertex) -> Vector3d {
-        return chord_of(is_moving, vertex, knot, knot).start;
-    };
-    const bool face_is_moving = !overlap.edge_is_moving;
-    const auto corners = (face_is_moving ? context_.moving() : context_.fixed()).face(overlap.face.first);
-    const Vector3d apex = point(face_is_moving, corners[0]);
-    Vector3d normal = Vector3d::Zero();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        normal += (point(face_is_moving, corners[i]) - apex).cross(point(face_is_moving, corners[i + 1]) - apex);
-    const Vector3d first = point(overlap.edge_is_moving, overlap.edge.first);
-    const Vector3d way = point(overlap.edge_is_moving, overlap.edge.second) - first;
-    const double share = normal.dot(apex - first) / normal.dot(way);
-    return crossing_at(tau, first + std::clamp(share, 0.0, 1.0) * way);
+    const motion::MatrixPose pose = context_.configuration_at(tau).pose();
+    return crossing_at(tau, OverlapOnChords(context_.moving(), context_.fixed(), overlap, {pose, pose}).point());
 }
 
 /// As long as they do, points of both bodies are no farther apart than both balls are wide.
 bool ChordBounds::crosses_between(const NearKnot& start, const NearKnot& end, const Overlap& overlap) const {
     const Body &moving = context_.moving(), &fixed = context_.fixed();
     const double slack = part_between(start, end, 2 * (moving.ball_radius() + fixed.ball_radius())).slack;
-    const ChordPoint first = chord_of(overlap.edge_is_moving, overlap.edge.first, start, end);
-    const ChordPoint second = chord_of(overlap.edge_is_moving, overlap.edge.second, start, end);
-    const Body& of_face = overlap.edge_is_moving ? fixed : moving;
-    std::vector<ChordPoint> outline;
-    for (const std::uint32_t corner : of_face.face(overlap.face.first))
-        outline.push_back(chord_of(!overlap.edge_is_moving, corner, start, end));
-    if (is_convex(of_face, overlap.face.first))
-        return passes_all_along(first, second, outline, slack);
-    const auto triangles = of_face.face_triangles(overlap.face.first);
-    for (std::size_t i = 0; i < triangles.size(); i += 3)
-        if (passes_all_along(first, second,
-                             std::array{outline[triangles[i]], outline[triangles[i + 1]], outline[triangles[i + 2]]},
-                             slack))
-            return true;
-    return false;
+    return OverlapOnChords(moving, fixed, overlap, {start.pose, end.pose}).lasts(slack);
 }
 
 /// Points of both bodies that are no farther apart than the distance at either end stay near their chords.

@@ -2,9 +2,7 @@
 // Source: docs/derivations/39-profile.md.
 #pragma once
 
-#include "chasles/contact/contact.h"
 #include "chasles/culling/face_separation.h"
-#include "chasles/search/lasting_overlap.h"
 #include "chasles/search/nearest_features.h"
 #include "chasles/search/piece_context.h"
 
@@ -86,8 +84,6 @@ private:
     [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end) const;
     /// For points of both bodies that are no farther apart than that.
     [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end, double farthest) const;
-    [[nodiscard]] ChordPoint chord_of(bool is_moving, std::uint32_t vertex, const NearKnot& start,
-                                      const NearKnot& end) const;
     bool are_beyond_at(const NearKnot& knot, double distance);
     [[nodiscard]] LinearBound upper(const NearKnot& start, const NearKnot& end);
     [[nodiscard]] double way_of_points(const NearKnot& from, const NearKnot& to);

@@ -61,4 +61,46 @@ bool passes_all_along(const ChordPoint& first, const ChordPoint& second, std::sp
     return true;
 }
 
+OverlapOnChords::OverlapOnChords(const Body& moving, const Body& fixed, const Overlap& overlap,
+                                 const std::array<motion::MatrixPose, 2>& poses) {
+    const auto moved = [&](std::uint32_t vertex) {
+        const auto point = motion::vector_in<double>(moving.vertices()[vertex]);
+        const auto start = poses[0](point), end = poses[1](point);
+        return ChordPoint{{start.x, start.y, start.z}, {end.x, end.y, end.z}};
+    };
+    const auto at_rest = [&](std::uint32_t vertex) {
+        return ChordPoint{fixed.vertices()[vertex], fixed.vertices()[vertex]};
+    };
+    const auto edge_point = [&](std::uint32_t vertex) {
+        return overlap.edge_is_moving ? moved(vertex) : at_rest(vertex);
+    };
+    first_ = edge_point(overlap.edge.first);
+    second_ = edge_point(overlap.edge.second);
+    const Body& of_face = overlap.edge_is_moving ? fixed : moving;
+    for (const std::uint32_t corner : of_face.face(overlap.face.first))
+        outline_.push_back(overlap.edge_is_moving ? at_rest(corner) : moved(corner));
+    triangles_ = of_face.face_triangles(overlap.face.first);
+}
+
+bool OverlapOnChords::lasts(double slack) const {
+    if (triangles_.empty())
+        return passes_all_along(first_, second_, outline_, slack);
+    for (std::size_t i = 0; i < triangles_.size(); i += 3) {
+        const std::array triangle{outline_[triangles_[i]], outline_[triangles_[i + 1]], outline_[triangles_[i + 2]]};
+        if (passes_all_along(first_, second_, triangle, slack))
+            return true;
+    }
+    return false;
+}
+
+Vector3d OverlapOnChords::point() const {
+    const Vector3d& apex = outline_.front().start;
+    Vector3d normal = Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < outline_.size(); ++i)
+        normal += (outline_[i].start - apex).cross(outline_[i + 1].start - apex);
+    const Vector3d way = second_.start - first_.start;
+    const double share = normal.dot(apex - first_.start) / normal.dot(way);
+    return first_.start + std::clamp(share, 0.0, 1.0) * way;
+}
+
 } // namespace chasles::search
