@@ -1,5 +1,7 @@
 #include "chasles/search/lasting_overlap.h"
 
+#include "chasles/motion/screw_path.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
