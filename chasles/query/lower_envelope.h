@@ -4,6 +4,7 @@
 
 #include "chasles/query/profile.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,8 @@ public:
     /// Of no distances.
     static const LowerEnvelope& none();
 
+    /// Whether nothing was added.
+    [[nodiscard]] bool is_empty() const { return steps_.size() == 1 && std::isinf(steps_.front().upper); }
     /// The greatest upper bound within a part of the time, or infinity: a distance that stays above it there adds
     /// nothing.
     [[nodiscard]] double greatest_upper(const Bracket& part) const;

@@ -47,6 +47,7 @@ private:
 
     bool search();
     bool search(const PieceContext& piece);
+    bool add_far_part(const Bracket& part);
     bool add_part(const Knot& start, const Knot& end);
     [[nodiscard]] double greatest_of_others(const Bracket& tau) const;
     [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
@@ -68,6 +69,7 @@ private:
     query::ProfileKnots knots_;
     int parts_ = 0;
     const motion::AnyPiece* piece_ = nullptr;
+    Bracket balls_; ///< of the distance, over the whole motion
     query::ProfileSteps steps_;
     bool certain_ = true;
 };
@@ -82,10 +84,10 @@ ProfileSearch::ProfileSearch(const query::PairProfileQuery& question)
 }
 
 DistanceProfile ProfileSearch::run() {
-    const Bracket balls = of_balls();
-    const bool is_far = balls.lower >= question_.others.greatest_upper(question_.part);
+    balls_ = of_balls();
+    const bool is_far = balls_.lower >= question_.others.greatest_upper(question_.part);
     if (is_far || !search()) {
-        steps_.add_rest(is_far ? balls.lower : 0, balls.upper);
+        steps_.add_rest(is_far ? balls_.lower : 0, balls_.upper);
         certain_ = is_far;
     }
     DistanceProfile profile = std::move(steps_).result();
@@ -141,17 +143,44 @@ bool ProfileSearch::search(const PieceContext& piece) {
     piece_ = &piece.piece();
     steps_.begin(piece.piece());
     knots_.begin(piece);
-    Knot start = knots_.first();
-    std::vector<Knot> ends{knots_.last(start)};
+    struct End {
+        double tau;
+        std::optional<Knot> knot = {}; ///< once it is needed
+    };
+    End start{0};
+    std::vector<End> ends{{1}};
     while (!ends.empty() && !is_cancelled()) {
-        if (add_part(start, ends.back())) {
-            start = std::move(ends.back());
+        End& end = ends.back();
+        bool is_done = add_far_part({start.tau, end.tau});
+        if (!is_done) {
+            if (!start.knot)
+                start.knot = knots_.beside(start.tau, {});
+            const End* const later = ends.size() > 1 ? &end - 1 : nullptr;
+            if (!end.knot)
+                end.knot = knots_.beside(end.tau, {&start.knot, later ? &later->knot : nullptr});
+            is_done = add_part(*start.knot, *end.knot);
+        }
+        if (is_done) {
+            start = std::move(end);
             ends.pop_back();
         } else {
-            ends.push_back(knots_.beside(0.5 * (start.near.tau + ends.back().near.tau), {&start, &ends.back()}));
+            ends.push_back({0.5 * (start.tau + end.tau)});
         }
     }
+    knots_.end(start.knot);
     return ends.empty();
+}
+
+/// Without knots, where balls around the bodies are so far apart that another distance is less all along.
+bool ProfileSearch::add_far_part(const Bracket& part) {
+    if (question_.others.is_empty())
+        return false;
+    const double others = greatest_of_others(part);
+    if (std::isinf(others) ||
+        (others > 0 && !knots_.bounds().are_balls_beyond(part.lower, part.upper, others + radii_)))
+        return false;
+    steps_.add_one(part, others, balls_.upper);
+    return true;
 }
 
 /// False if the part is to be halved.

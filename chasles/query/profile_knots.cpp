@@ -33,28 +33,28 @@ Work ProfileKnots::work() const {
     return all;
 }
 
-ProfileKnot ProfileKnots::first() {
-    if (!last_)
-        return at(0, {});
-    last_->near.tau = 0;
-    return beside(0, {&*last_});
-}
-
-ProfileKnot ProfileKnots::last(const ProfileKnot& first) {
-    last_ = beside(1, {&first});
-    return *last_;
+void ProfileKnots::end(const std::optional<ProfileKnot>& last) {
+    last_ = last;
+    if (last_)
+        last_->near.tau = 0;
 }
 
 /// An overlap that lasts from a known knot need not be looked for.
-ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<const ProfileKnot*> known) {
+ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> known) {
     Features guesses;
-    for (const ProfileKnot* knot : known) {
-        if (auto found = overlapping(tau, *knot))
-            return *std::move(found);
-        if (knot->near.distance > 0)
-            guesses.push_back(knot->near.features);
-    }
-    return at(tau, guesses);
+    std::optional<ProfileKnot> found;
+    const auto use = [&](const ProfileKnot& knot) {
+        if (!found)
+            found = overlapping(tau, knot);
+        if (knot.near.distance > 0)
+            guesses.push_back(knot.near.features);
+    };
+    for (const MayBeKnown knot : known)
+        if (knot && *knot)
+            use(**knot);
+    if (tau == 0 && last_)
+        use(*last_);
+    return found ? *std::move(found) : at(tau, guesses);
 }
 
 /// Before the first contact and after the last one nothing touches.

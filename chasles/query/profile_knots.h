@@ -32,12 +32,11 @@ public:
     void begin(const search::PieceContext& piece);
     [[nodiscard]] search::ChordBounds& bounds() { return *bounds_; }
 
-    /// At the start of the piece, where the one before ends.
-    ProfileKnot first();
-    /// Beside knots that are known.
-    ProfileKnot beside(double tau, std::initializer_list<const ProfileKnot*> known);
-    /// At the end of the piece.
-    ProfileKnot last(const ProfileKnot& first);
+    /// Beside knots that may be known; at 0, where the piece before ends.
+    using MayBeKnown = const std::optional<ProfileKnot>*;
+    ProfileKnot beside(double tau, std::initializer_list<MayBeKnown> known);
+    /// The end of the piece, if it is known.
+    void end(const std::optional<ProfileKnot>& last);
 
     /// Whether the surfaces are proven to meet from one knot to the next.
     [[nodiscard]] bool overlap_all_along(const ProfileKnot& start, const ProfileKnot& end) const;

@@ -77,34 +77,40 @@ bool ChordBounds::are_beyond_at(const NearKnot& knot, double distance) {
 }
 
 NearKnot ChordBounds::crossing_at(double tau, const Vector3d& point) const {
-    return {.tau = tau,
-            .distance = 0,
-            .features = {},
-            .points = {point, point},
-            .pose = context_.configuration_at(tau).pose()};
+    return {.tau = tau, .distance = 0, .features = {}, .points = {point, point}, .pose = context_.pose_at(tau)};
 }
 
 NearKnot ChordBounds::crossing_at(double tau, const Overlap& overlap) const {
-    const motion::MatrixPose pose = context_.configuration_at(tau).pose();
+    const motion::MatrixPose pose = context_.pose_at(tau);
     return crossing_at(tau, OverlapOnChords(context_.moving(), context_.fixed(), overlap, {pose, pose}).point());
 }
 
 /// As long as they do, points of both bodies are no farther apart than both balls are wide.
 bool ChordBounds::crosses_between(const NearKnot& start, const NearKnot& end, const Overlap& overlap) const {
     const Body &moving = context_.moving(), &fixed = context_.fixed();
-    const double slack = part_between(start, end, 2 * (moving.ball_radius() + fixed.ball_radius())).slack;
+    const double slack = part_between(start.tau, end.tau, 2 * (moving.ball_radius() + fixed.ball_radius())).slack;
     return OverlapOnChords(moving, fixed, overlap, {start.pose, end.pose}).lasts(slack);
 }
 
 /// Points of both bodies that are no farther apart than the distance at either end stay near their chords.
 ChordBounds::Part ChordBounds::part_between(const NearKnot& start, const NearKnot& end) const {
-    return part_between(start, end, std::max(start.distance, end.distance));
+    return part_between(start.tau, end.tau, std::max(start.distance, end.distance));
 }
 
-ChordBounds::Part ChordBounds::part_between(const NearKnot& start, const NearKnot& end, double farthest) const {
+ChordBounds::Part ChordBounds::part_between(double from, double to, double farthest) const {
     const culling::PieceParts parts = context_.parts(farthest);
-    const culling::TimeInterval interval = context_.time_tree(farthest, parts).interval({start.tau, end.tau});
+    const culling::TimeInterval interval = context_.time_tree(farthest, parts).interval({from, to});
     return {interval, interval.deviation + 4 * elementary::position_error<double>(parts.scale())};
+}
+
+/// A point of the moving body that comes as near stays near its chord, and so within the ball around the chord of the
+/// middle.
+bool ChordBounds::are_balls_beyond(double from, double to, double distance) const {
+    const Body &moving = context_.moving(), &fixed = context_.fixed();
+    const auto middle = [&](double tau) { return moved(context_.pose_at(tau), moving.bvh().centre()); };
+    const Vector3d nearest = contact::foot_on_segment(middle(from), middle(to), fixed.bvh().centre());
+    const double slack = part_between(from, to, distance).slack;
+    return (nearest - fixed.bvh().centre()).norm() > distance + moving.ball_radius() + fixed.ball_radius() + slack;
 }
 
 std::optional<DistanceBounds> ChordBounds::between(const NearKnot& start, const NearKnot& end,

@@ -65,6 +65,9 @@ public:
     /// The upper bound alone, for surfaces that meet.
     [[nodiscard]] LinearBound upper_between(const NearKnot& start, const NearKnot& end);
 
+    /// Whether the bodies are proven to be farther apart than a distance, from one tau to another, by balls.
+    [[nodiscard]] bool are_balls_beyond(double from, double to, double distance) const;
+
     [[nodiscard]] const Work& work() const { return work_; }
 
 private:
@@ -83,7 +86,7 @@ private:
     };
     [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end) const;
     /// For points of both bodies that are no farther apart than that.
-    [[nodiscard]] Part part_between(const NearKnot& start, const NearKnot& end, double farthest) const;
+    [[nodiscard]] Part part_between(double from, double to, double farthest) const;
     bool are_beyond_at(const NearKnot& knot, double distance);
     [[nodiscard]] LinearBound upper(const NearKnot& start, const NearKnot& end);
     [[nodiscard]] double way_of_points(const NearKnot& from, const NearKnot& to);

@@ -82,6 +82,12 @@ contact::RelativeConfiguration PieceContext::configuration_at(double tau) const 
     return bodies;
 }
 
+motion::MatrixPose PieceContext::pose_at(double tau) const {
+    if (!is_enclosed())
+        return contact::RelativeConfiguration(moving_, fixed_, maps_, tau).pose();
+    return culling::IntervalEnds(motion::control_maps(piece_->enclosure({tau, tau})->cubic)).start;
+}
+
 std::optional<RefinedStart> PieceContext::refined_start() const {
     if (!is_enclosed() || !piece_->is_refined())
         return std::nullopt;

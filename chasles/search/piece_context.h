@@ -44,6 +44,8 @@ public:
     [[nodiscard]] bool is_enclosed() const { return start_.has_value(); }
     /// The bodies at one tau.
     [[nodiscard]] contact::RelativeConfiguration configuration_at(double tau) const;
+    /// Their pose alone: of the moving body in the frame of the fixed one.
+    [[nodiscard]] motion::MatrixPose pose_at(double tau) const;
 
     /// Of an enclosed motion, by the enclosure of a short part: its start is known far better than that of the whole.
     /// Empty where the maps are the true motion, and where there is none in double-double.
