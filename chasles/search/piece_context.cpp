@@ -1,6 +1,7 @@
 #include "chasles/search/piece_context.h"
 
 #include "chasles/culling/body_ball.h"
+#include "chasles/culling/interval_ends.h"
 
 #include <algorithm>
 #include <cmath>
