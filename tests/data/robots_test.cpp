@@ -216,10 +216,12 @@ TEST(Robots, PairsOfThePandaAreProven) {
         }
     }
     print_figures("%d pairs never touch, %d do sometimes, %d are open", never, sometimes, open);
-    EXPECT_EQ(sometimes, 22);
-    EXPECT_GT(never, 4) << "a slow machine proves fewer in its time";
-    EXPECT_EQ(never + open, 23);
+    EXPECT_EQ(never + sometimes + open, 45);
+    EXPECT_LE(sometimes, 22);
+    EXPECT_GT(sometimes, 15) << "a slow machine finds fewer in its time";
+    EXPECT_GT(never, 4) << "and proves fewer";
     if (is_long()) {
+        EXPECT_EQ(sometimes, 22);
         EXPECT_EQ(open, 0);
     }
 }
