@@ -59,7 +59,7 @@ public:
     /// The motion of the same kind to another goal, whose `pose_at` is the moving body in the world; null if the motion
     /// has no goal. A screw keeps the number of its pieces.
     [[nodiscard]] virtual SharedTrajectory with_goal(const Pose& goal_in_world) const = 0;
-    /// The motion back.
+    /// The motion back; null for the paper's screw.
     [[nodiscard]] virtual SharedTrajectory reversed() const = 0;
 };
 

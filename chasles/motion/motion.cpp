@@ -45,7 +45,11 @@ Pose Motion::fixed_pose_at(double time) const {
 }
 
 Motion Motion::reversed() const {
-    return Motion(trajectory_->reversed());
+    motion::SharedTrajectory back = trajectory_->reversed();
+    if (!back)
+        throw InvalidInput("motion: reversed: takes no screw, which slides unevenly, so that the way back is another "
+                           "motion; the constant twist between the same poses has one");
+    return Motion(std::move(back));
 }
 
 ScrewMotion ScrewMotion::between(const Pose& start, const Pose& goal, double max_turn) {
@@ -80,10 +84,6 @@ Eigen::Vector3d ScrewMotion::axis_point() const {
 
 double ScrewMotion::max_turn() const {
     return trajectory().max_turn();
-}
-
-ScrewMotion ScrewMotion::reversed() const {
-    return ScrewMotion(Motion(trajectory().reversed()));
 }
 
 ScrewMotion ScrewMotion::with_max_turn(double max_turn) const {

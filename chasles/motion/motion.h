@@ -71,7 +71,7 @@ public:
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
     /// The motion back from the goal to the start: at a time, the poses are those of this motion at 1 - time. A last
-    /// contact is the first one of the motion back.
+    /// contact is the first one of the motion back. Throws InvalidInput for the paper's screw, which slides unevenly.
     [[nodiscard]] Motion reversed() const;
 
     /// For the library's own use: the seam between motions and searches. Its type is no part of the public interface.
@@ -125,8 +125,6 @@ public:
     [[nodiscard]] double max_turn() const;
     /// The same screw in pieces of another size. Throws InvalidInput for a max_turn that `between` refuses.
     [[nodiscard]] ScrewMotion with_max_turn(double max_turn) const;
-    /// The screw back from the goal to the start: the same turn about the opposite direction.
-    [[nodiscard]] ScrewMotion reversed() const;
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse

@@ -105,10 +105,6 @@ SharedTrajectory ScrewTrajectory::with_goal(const Pose& goal_in_world) const {
     return std::make_shared<const ErasedTrajectory<ScrewTrajectory>>(std::move(other));
 }
 
-SharedTrajectory ScrewTrajectory::reversed() const {
-    return std::make_shared<const ErasedTrajectory<ScrewTrajectory>>(ScrewTrajectory(ends_.reversed(), max_turn_));
-}
-
 ScrewNumbers ScrewTrajectory::numbers() const {
     const RelativeEnds ends(ends_);
     return ScrewPath(ends.start, ends.goal).numbers();

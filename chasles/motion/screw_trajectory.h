@@ -83,7 +83,8 @@ public:
     [[nodiscard]] Pose uncut_pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
-    [[nodiscard]] SharedTrajectory reversed() const;
+    /// None: it slides unevenly, so that the way back is no screw.
+    [[nodiscard]] static SharedTrajectory reversed() { return nullptr; }
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] double max_turn() const { return max_turn_; }

@@ -72,7 +72,7 @@ concept Trajectory = requires(const T& trajectory, std::size_t index, double tim
     { trajectory.coarse(index) } -> std::same_as<std::optional<CoarseMotion>>;
     { trajectory.pose_at(time) } -> std::same_as<Pose>;
     { trajectory.fixed_pose_at(time) } -> std::same_as<Pose>;
-    /// The motion back, as a SharedTrajectory.
+    /// The motion back, as a SharedTrajectory; null if there is none.
     trajectory.reversed();
 };
 

@@ -98,7 +98,7 @@ DistanceProfile ProfileSearch::run() {
 
 /// False at a limit.
 bool ProfileSearch::search() {
-    knots_.find_contacts();
+    knots_.find_contact();
     const auto pieces = trajectory_.pieces();
     bool is_whole = true;
     for (std::size_t i = 0; i < pieces->size() && is_whole; ++i)

@@ -2,21 +2,18 @@
 
 #include "chasles/query/profile_steps.h"
 
+#include <algorithm>
+
 namespace chasles::query {
 
 using search::NearKnot;
 using Touch = ProfileKnot::Touch;
 
-double ProfileKnots::clear_until(const motion::AnyTrajectory& trajectory) {
-    const FirstContact touch = answer_or_unknown({question_.moving, question_.fixed, trajectory, QueryOptions{}});
+void ProfileKnots::find_contact() {
+    const FirstContact touch =
+        answer_or_unknown({question_.moving, question_.fixed, question_.trajectory, QueryOptions{}});
     work_ += touch.work;
-    return touch.clear_until;
-}
-
-void ProfileKnots::find_contacts() {
-    touching_.lower = clear_until(question_.trajectory);
-    if (touching_.lower < 1)
-        touching_.upper = 1 - clear_until(*question_.trajectory.reversed());
+    clear_until_ = touch.clear_until;
 }
 
 void ProfileKnots::begin(const search::PieceContext& piece) {
@@ -40,29 +37,37 @@ void ProfileKnots::end(const std::optional<ProfileKnot>& last) {
 }
 
 /// An overlap that lasts from a known knot need not be looked for.
-ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> known) {
-    Features guesses;
-    std::optional<ProfileKnot> found;
-    const auto use = [&](const ProfileKnot& knot) {
-        if (!found)
-            found = overlapping(tau, knot);
-        if (knot.near.distance > 0)
-            guesses.push_back(knot.near.features);
-    };
-    for (const MayBeKnown knot : known)
+ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> may_be_known) {
+    std::vector<const ProfileKnot*> known;
+    for (const MayBeKnown knot : may_be_known)
         if (knot && *knot)
-            use(**knot);
+            known.push_back(&**knot);
     if (tau == 0 && last_)
-        use(*last_);
-    return found ? *std::move(found) : at(tau, guesses);
+        known.push_back(&*last_);
+    for (const ProfileKnot* knot : known)
+        if (auto found = overlapping(tau, *knot))
+            return *std::move(found);
+    return at(tau, known);
 }
 
-/// Before the first contact and after the last one nothing touches.
-ProfileKnot ProfileKnots::at(double tau, const Features& guesses) {
-    const double time = touching_.lower < 1 ? time_of(piece_->piece(), tau) : 0;
-    if (touching_.lower <= time && time <= touching_.upper)
+/// Before the first contact nothing touches, nor while the surfaces stay apart from a knot on where nothing does.
+ProfileKnot ProfileKnots::at(double tau, std::span<const ProfileKnot* const> known) {
+    Features guesses;
+    for (const ProfileKnot* knot : known)
+        if (knot->near.distance > 0)
+            guesses.push_back(knot->near.features);
+    const bool is_before_contact = clear_until_ == 1 || time_of(piece_->piece(), tau) < clear_until_;
+    const auto is_apart = [](const ProfileKnot* knot) { return knot->touch == Touch::apart; };
+    if (!is_before_contact && std::ranges::none_of(known, is_apart))
         return in_contact(tau, guesses);
-    return {bounds_->nearest_at(tau, guesses, error_), Touch::apart};
+    const NearKnot near = bounds_->nearest_at(tau, guesses, error_);
+    const auto stays_apart = [&](const ProfileKnot* knot) {
+        return is_apart(knot) && (knot->near.tau < tau ? bounds_->are_beyond(knot->near, near, radii_)
+                                                       : bounds_->are_beyond(near, knot->near, radii_));
+    };
+    if (is_before_contact || std::ranges::any_of(known, stays_apart))
+        return {near, Touch::apart};
+    return in_contact(tau, guesses);
 }
 
 ProfileKnot ProfileKnots::in_contact(double tau, const Features& guesses) {

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace chasles::query {
@@ -24,10 +25,11 @@ class ProfileKnots {
 public:
     /// The question is kept by reference. Nearest features may be other ones than the nearest, by the error.
     ProfileKnots(const PairProfileQuery& question, search::ChordBounds::Error error)
-        : question_(question), error_(std::move(error)) {}
+        : question_(question), radii_(distance_of_polyhedra(question.moving, question.fixed, 0)),
+          error_(std::move(error)) {}
 
-    /// Searches the first and the last contact.
-    void find_contacts();
+    /// Searches the first contact.
+    void find_contact();
     /// Knots are of this piece, which is kept by reference.
     void begin(const search::PieceContext& piece);
     [[nodiscard]] search::ChordBounds& bounds() { return *bounds_; }
@@ -47,16 +49,16 @@ public:
 private:
     using Features = std::vector<contact::FeaturePair>;
 
-    [[nodiscard]] double clear_until(const motion::AnyTrajectory& trajectory);
-    ProfileKnot at(double tau, const Features& guesses);
+    ProfileKnot at(double tau, std::span<const ProfileKnot* const> known);
     /// The bodies are tested at rest there.
     ProfileKnot in_contact(double tau, const Features& guesses);
     [[nodiscard]] std::optional<Overlap> lasting(Overlap overlap, const search::NearKnot& near) const;
     [[nodiscard]] std::optional<ProfileKnot> overlapping(double tau, const ProfileKnot& near) const;
 
     const PairProfileQuery& question_;
+    double radii_; ///< surfaces that are no farther apart touch
     search::ChordBounds::Error error_;
-    Bracket touching_{1, 0}; ///< times: nothing touches before and after; empty if nothing touches at all
+    double clear_until_ = 1; ///< time: nothing touches before it
     const search::PieceContext* piece_ = nullptr;
     std::optional<search::ChordBounds> bounds_; ///< of the piece
     std::optional<ProfileKnot> last_;           ///< of the piece before

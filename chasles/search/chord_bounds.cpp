@@ -68,6 +68,16 @@ NearKnot ChordBounds::nearest_at(double tau, std::span<const FeaturePair> guesse
     return knot;
 }
 
+bool ChordBounds::are_beyond(const NearKnot& start, const NearKnot& end, double distance) {
+    const auto [interval, slack] = part_between(start, end);
+    ends_.start = start.pose;
+    ends_.end = end.pose;
+    use_directions(start, end);
+    const double least = std::nextafter(distance + 2 * slack, infinity);
+    const bool may_be = std::min(start.distance, end.distance) > least;
+    return may_be && lower(interval.boxes, {start.distance, end.distance}, LinearBound{least, least}).has_value();
+}
+
 /// Whether the surfaces are proven to be so far apart at a knot.
 bool ChordBounds::are_beyond_at(const NearKnot& knot, double distance) {
     ends_ = culling::IntervalEnds(knot.pose);

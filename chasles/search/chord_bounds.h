@@ -65,7 +65,9 @@ public:
     /// The upper bound alone, for surfaces that meet.
     [[nodiscard]] LinearBound upper_between(const NearKnot& start, const NearKnot& end);
 
-    /// Whether the bodies are proven to be farther apart than a distance, from one tau to another, by balls.
+    /// Whether the surfaces are proven to be farther apart than a distance between two knots.
+    bool are_beyond(const NearKnot& start, const NearKnot& end, double distance);
+    /// Likewise the bodies from one tau to another, by balls.
     [[nodiscard]] bool are_balls_beyond(double from, double to, double distance) const;
 
     [[nodiscard]] const Work& work() const { return work_; }

@@ -108,18 +108,6 @@ std::vector<PythonScrew> pieces_of(const PythonScrew& screw) {
     return pieces;
 }
 
-/// Of a piece: the piece of the whole screw back.
-PythonScrew reversed(const PythonScrew& screw) {
-    if (!screw.whole)
-        return {screw.ScrewMotion::reversed()};
-    std::vector<PythonScrew> back = pieces_of({screw.whole->ScrewMotion::reversed()});
-    return back[back.size() - 1 - screw.index];
-}
-
-SweepMotion reversed(const SweepMotion& sweep) {
-    return sweep.reversed();
-}
-
 PythonScrew with_max_turn(const PythonScrew& screw, double max_turn) {
     return {screw.with_max_turn(max_turn), screw.whole, screw.index};
 }
@@ -183,8 +171,6 @@ void bind_common(nb::class_<M>& type, const char* pose_text) {
             },
             "tau"_a, "The time that belongs to a tau: the inverse of tau_at().")
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
-        .def(
-            "reversed", [](const M& motion) { return reversed(motion); }, doc("Motion.reversed"))
         .def("__getstate__", [](const M& motion) { return state_of_motion(motion); })
         .def("__setstate__", [](M& motion, const nb::tuple& state) { set_state(motion, state); });
 }
@@ -259,6 +245,7 @@ void bind_sweep(nb::module_& module) {
             "about", [](const SweepMotion& m, nb::handle centre) { return m.about(vector_from(centre, "centre")); },
             "centre"_a.none(), nb::sig("def about(self, centre: " CHASLES_POSE ") -> SweepMotion"),
             doc("SweepMotion.about"))
+        .def("reversed", &SweepMotion::reversed, doc("SweepMotion.reversed"))
         .def_prop_ro(
             "displacement", [](const SweepMotion& m) { return array_of(m.displacement()); },
             nb::sig("def displacement(self) -> " CHASLES_ARRAY), doc("SweepMotion.displacement"))

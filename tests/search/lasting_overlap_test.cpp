@@ -72,8 +72,8 @@ TEST(LastingOverlap, NoOrderMatters) {
     const auto at = [](double x, double y, double z) { return ChordPoint{Vector3d(x, y, z), Vector3d(x, y + 0.1, z)}; };
     std::vector<ChordPoint> polygon{at(2, 0, 0), at(1, 2, 0), at(-1, 2, 0), at(-2, 0, 0), at(0, -2, 0)};
     for (int i = 0; i < 2; ++i) {
-        EXPECT_TRUE(search::passes_all_along(at(0, 0, 1), at(0, 0, -2), polygon, 0.1));
-        EXPECT_TRUE(search::passes_all_along(at(0, 0, -2), at(0, 0, 1), polygon, 0.1));
+        EXPECT_TRUE(search::passes_all_along(at(0, 0, 1), at(0, 0, -2), polygon, 0.02));
+        EXPECT_TRUE(search::passes_all_along(at(0, 0, -2), at(0, 0, 1), polygon, 0.02));
         EXPECT_FALSE(search::passes_all_along(at(0, 0, 1), at(0, 0, 2), polygon, 0));
         EXPECT_FALSE(search::passes_all_along(at(3, 0, 1), at(3, 0, -2), polygon, 0));
         std::ranges::reverse(polygon);
