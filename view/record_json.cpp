@@ -64,15 +64,14 @@ Json event_json(const RecordedContact& event) {
 Json matrix_json(const DistanceMatrix& matrix) {
     Json pairs = Json::array();
     for (const auto& [moving, fixed, nearest] : matrix.pairs) {
+        const bool touches = nearest.distance.upper == 0; // then the list has them
         Json pair = event_json({.time = nearest.time.lower,
                                 .time_upper = nearest.time.upper,
                                 .certain = nearest.certain,
                                 .moving = moving,
                                 .fixed = fixed,
-                                .contacts = nearest.contacts,
-                                .contacts_cut = nearest.contacts_cut,
-                                .overlap = nearest.overlap,
-                                .inside = nearest.inside});
+                                .contacts = touches ? std::vector<Contact>() : nearest.contacts,
+                                .contacts_cut = nearest.contacts_cut});
         pair["distance"] = nearest.distance.lower;
         pair["distance_upper"] = nearest.distance.upper;
         pairs.push_back(std::move(pair));

@@ -9,9 +9,10 @@ import { connectCurve } from "./curve";
 import { byId, element, onClick } from "./elements";
 import { EventList } from "./event_list";
 import { Markers } from "./markers";
+import { MatrixTable, touches } from "./matrix";
 import { type DrawnMesh, drawnMesh } from "./meshes";
 import { Player } from "./player";
-import { type RecordedContact, type SceneRecord, tracksOf } from "./record";
+import { isDistance, type PairDistance, type RecordedContact, type SceneRecord, tracksOf } from "./record";
 import { fillRecordPanel, showEvent } from "./record_panel";
 import { markedPoints } from "./scene";
 import { ballAround, connectSeeThrough, Stage } from "./stage";
@@ -131,7 +132,7 @@ class RecordView {
 
   private addPair(event: RecordedContact): void {
     const [moving, fixed] = event.pair.map((body) => new Body(this.meshes[this.record.bodies[body].mesh], this.tracks[body]));
-    const markers = new Markers(event, this.record.margin, fixed.track.at(event.time));
+    const markers = new Markers(event, isDistance(event) ? event.distance_upper : this.record.margin, fixed.track.at(event.time));
     this.pair = { event, moving, fixed, markers };
     for (const body of [moving, fixed]) {
       body.drawPath(this.stage.whole.center);
@@ -230,23 +231,33 @@ export function startRecord(record: SceneRecord): { player: Player; draw: () => 
   const timeText = (time: number) => time.toFixed(decimals);
   let view: RecordView | undefined;
   let isAtEvent = (): boolean => false;
-  const choose = (index: number | undefined) => {
-    const event = index === undefined ? undefined : record.events[index];
+  let chosen: RecordedContact | undefined;
+  const show = (event: RecordedContact | undefined, index?: number) => {
+    chosen = event;
     isAtEvent = () => event !== undefined && player.time === event.time;
     player.stop = event?.time ?? player.span.to;
     markContact(player);
     showEvent(record, event, (point) => view?.choosePoint(point));
     list.select(index);
+    matrix?.select(event?.pair);
     view?.choose(event);
     player.pause();
     player.set(event?.time ?? player.time);
   };
+  const choose = (index: number | undefined) => show(index === undefined ? undefined : record.events[index], index);
+  const choosePair = (pair: PairDistance | undefined) => {
+    const isOfPair = (event: RecordedContact) => event.pair.join() === pair!.pair.join();
+    if (pair && touches(pair)) choose(record.events.findIndex(isOfPair));
+    else show(pair);
+  };
   player.goThrough(true);
   fillRecordPanel(record);
   addTicks(record, player);
-  connectControls(player, () => `time ${timeText(player.time)}${isAtEvent() ? ", contact" : ""}`);
+  const eventText = () => (chosen && isDistance(chosen) ? ", nearest" : ", contact");
+  connectControls(player, () => `time ${timeText(player.time)}${isAtEvent() ? eventText() : ""}`);
   connectCurve(record.curve, player);
   const list = new EventList(record, timeText, choose);
+  const matrix = record.matrix && new MatrixTable(record, timeText, choosePair);
   onClick("previous", () => list.step(-1));
   onClick("next", () => list.step(1));
   addEventListener("keydown", ({ key }) => key === "Escape" && choose(undefined));
