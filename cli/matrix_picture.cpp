@@ -19,6 +19,7 @@ constexpr double room_for_legend = 44;
 
 constexpr std::string_view contact_style = R"(fill="#d4147f")"; // as on pages
 constexpr std::string_view untested_style = R"(fill="#eeeeee")";
+constexpr std::string_view open_style = R"(fill="#f0e442")";
 using Colour = std::array<double, 3>;
 constexpr Colour near_colour{8, 69, 148}, far_colour{222, 235, 247};
 
@@ -73,7 +74,7 @@ public:
     }
 
     [[nodiscard]] std::string picture() const {
-        constexpr double least_width = 420; // of the legend
+        constexpr double least_width = 520; // of the legend
         std::string picture = svg_start(std::max(corner_ + size_, least_width) + 20, corner_ + size_ + room_for_legend);
         picture += rectangle(corner_, corner_, size_, size_, untested_style);
         for (const PairDistance& pair : found_.pairs) {
@@ -89,7 +90,9 @@ private:
     [[nodiscard]] std::string cell(std::size_t row, std::size_t column, const LeastDistance& found) const {
         const bool touches = found.distance.upper == 0, is_open = found.distance.lower == 0 && !touches;
         const double share = is_open ? 0 : scale_.share(found.distance.lower);
-        const std::string style = touches ? std::string(contact_style) : is_open ? R"(fill="#f0e442")" : fill_at(share);
+        const std::string style = touches   ? std::string(contact_style)
+                                  : is_open ? std::string(open_style)
+                                            : fill_at(share);
         const std::string cell =
             rectangle(place(column), place(row), cell_, cell_, style + R"( stroke="white" stroke-width="0.5")");
         if (!has_numbers_)
@@ -119,12 +122,13 @@ private:
         const double y = corner_ + size_ + 14;
         std::string text = rectangle(10, y, 14, 14, contact_style) + svg_text(30, y + 12, "start", "contact");
         text += rectangle(90, y, 14, 14, untested_style) + svg_text(110, y + 12, "start", "not tested");
+        text += rectangle(190, y, 14, 14, open_style) + svg_text(210, y + 12, "start", "not proven apart");
         if (scale_.is_empty())
             return text;
         for (int i = 0; i < 10; ++i)
-            text += rectangle(250 + 8 * i, y, 8, 14, fill_at(i / 9.0));
-        return text + svg_text(245, y + 12, "end", fmt::format("{:.3g}", scale_.least())) +
-               svg_text(335, y + 12, "start", fmt::format("{:.3g}", scale_.greatest()));
+            text += rectangle(390 + 8 * i, y, 8, 14, fill_at(i / 9.0));
+        return text + svg_text(385, y + 12, "end", fmt::format("{:.3g}", scale_.least())) +
+               svg_text(475, y + 12, "start", fmt::format("{:.3g}", scale_.greatest()));
     }
 
     const Scene& scene_;

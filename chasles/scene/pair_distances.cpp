@@ -66,6 +66,10 @@ public:
     std::vector<PairDistance> run();
 
 private:
+    enum class Round : std::uint8_t { only, brief, last };
+    static constexpr double seconds_of_brief_round = 0.1; ///< for one pair
+
+    void ask_all(const std::vector<std::size_t>& order, Round round);
     [[nodiscard]] LeastDistance ask(std::size_t pair) const;
     [[nodiscard]] LeastDistance without_search(std::size_t pair) const;
     void report_progress();
@@ -125,19 +129,50 @@ void MatrixSearch::report_progress() {
     batch_.progress(++done_);
 }
 
-/// Threads take one pair after another, the nearest boxes first: a limit leaves those that are proven to be far apart.
-std::vector<PairDistance> MatrixSearch::run() {
-    std::vector<std::size_t> order(pairs_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    chasles::sort(order, {}, [&](std::size_t i) { return std::pair(bounds_[i], i); });
+/// Of two answers about one pair.
+LeastDistance narrower(LeastDistance known, LeastDistance found) {
+    found.work += known.work;
+    if (found.certain)
+        return found;
+    LeastDistance& nearer = known.distance.upper < found.distance.upper ? known : found;
+    nearer.distance.lower = std::min(std::max(known.distance.lower, found.distance.lower), nearer.distance.upper);
+    nearer.work = found.work;
+    return nearer;
+}
+
+/// Threads take one pair after another. Pairs that are not answered in the first round get a second one.
+void MatrixSearch::ask_all(const std::vector<std::size_t>& order, Round round) {
     std::atomic<std::size_t> taken = 0;
     parallel_for(batch_.threads, order.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t pair = order[taken++];
-            pairs_[pair].nearest = ask(pair);
-            report_progress();
+            LeastDistance& nearest = pairs_[pair].nearest;
+            if (round == Round::brief) {
+                const Limit brief(seconds_of_brief_round);
+                nearest = ask(pair);
+            } else {
+                nearest = round == Round::only ? ask(pair) : narrower(std::move(nearest), ask(pair));
+            }
+            if (round != Round::brief || nearest.certain)
+                report_progress();
         }
     });
+}
+
+/// The nearest boxes first: a limit leaves pairs that are proven to be far apart. Where the time is limited, pairs that
+/// take long wait for the others.
+std::vector<PairDistance> MatrixSearch::run() {
+    std::vector<std::size_t> order(pairs_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    chasles::sort(order, {}, [&](std::size_t i) { return std::pair(bounds_[i], i); });
+    const Limit* const limit = LimitOfThread::get();
+    if (!limit || !limit->has_end()) {
+        ask_all(order, Round::only);
+        return std::move(pairs_);
+    }
+    ask_all(order, Round::brief);
+    std::erase_if(order, [&](std::size_t i) { return pairs_[i].nearest.certain; });
+    ask_all(order, Round::last);
     return std::move(pairs_);
 }
 
