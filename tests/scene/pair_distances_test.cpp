@@ -2,8 +2,10 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
 #include "chasles/mesh/primitives.h"
+#include "chasles/motion/own_trajectory.h"
 #include "chasles/scene/scene.h"
 #include "tests/query/bodies.h"
+#include "tests/support/grid.h"
 #include "tests/support/random_poses.h"
 
 #include <algorithm>
@@ -175,6 +177,37 @@ TEST(PairDistances, AreEnclosedAtALimit) {
     EXPECT_GT(without_search, 800);
     EXPECT_GT(apart, 100);
     EXPECT_GT(searched, 20);
+}
+
+/// Two sheets that slide on each other at a billionth of their size take far longer than the limit. The bodies around
+/// them, whose boxes are farther apart, have their answers all the same.
+TEST(PairDistances, OnePairThatTakesLongTakesNoTimeOfOthers) {
+    constexpr std::uint32_t n = 32;
+    std::vector<Vector3d> corners;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j)
+            corners.emplace_back(double(i) / n, double(j) / n, 0);
+    const Polyhedron sheet = Polyhedron::from_polygons(corners, grid_triangles(n, n));
+    const auto turned = [](double x, double turn) {
+        return Pose({x, 0.1, 1e-9}, Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vector3d::UnitZ())));
+    };
+    OwnTrajectory slide;
+    slide.pose_at = [motion = Motion::velocity(turned(0, 0), turned(0.4, 0.8))](double t) { return motion.pose_at(t); };
+    slide.bounds = [](double, double) { return MotionBounds{0.81, 0, 0.41, 0}; };
+    Scene world;
+    world.add({"lower", sheet, Motion::at_rest(Pose()), ""});
+    world.add({"upper", sheet, Motion::along(slide), ""});
+    for (int i = 0; i < 5; ++i)
+        world.add({std::string(1, char('a' + i)), make_sphere(0.1),
+                   Motion::at_rest(Pose({0.3 * i, 0, 2}, Eigen::Quaterniond::Identity())), ""});
+    const Limit limit(3);
+    const DistanceMatrix found = world.least_distances({.tolerance = 0.1}, {.threads = 1});
+    ASSERT_EQ(found.pairs.size(), 6U);
+    for (const auto& [moving, fixed, nearest] : found.pairs) {
+        const bool is_slow = world.bodies()[fixed].name == "lower";
+        EXPECT_EQ(nearest.certain, !is_slow) << world.bodies()[fixed].name;
+        EXPECT_LE(nearest.distance.lower, is_slow ? 1e-9 : 1.9);
+    }
 }
 
 TEST(PairDistances, IsEmptyWithoutPairsAndRefusesWhatItCannotUse) {
