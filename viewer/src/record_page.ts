@@ -180,7 +180,7 @@ class RecordView {
     return moving.expandByScalar(shownAroundAll * moving.getSize(new Vector3()).length()).intersect(whole);
   }
 
-  /** The corners of both bodies at the contact. Only the near part of a much larger body is shown. */
+  /** The corners of both bodies at the contact or the least distance. Only the near part of a much larger body is shown. */
   private aroundPair({ event, moving, fixed }: Pair): Vector3[] {
     const placed = (point: Vector3, pose: Matrix4) => point.applyMatrix4(pose);
     const points = [moving, fixed].flatMap(({ mesh, track }) => cornersOf(mesh).map((corner) => placed(corner, track.at(event.time))));
@@ -188,7 +188,14 @@ class RecordView {
     const smaller = moving.mesh.surface.boundingSphere!.radius === radius ? moving : fixed;
     const [marked] = markedPoints(event);
     const middle = marked ? new Vector3(...marked) : placed(smaller.mesh.origin.clone(), smaller.track.at(event.time));
-    const near = new Box3().setFromCenterAndSize(middle, new Vector3().setScalar(2 * shownAround * radius));
+    const size = new Vector3().setScalar(2 * shownAround * radius);
+    const near = new Box3().setFromCenterAndSize(middle, size);
+    if (isDistance(event)) {
+      const [nearest] = event.contacts;
+      const other = smaller === moving ? fixed : moving;
+      const end = nearest ? middle.clone().addScaledVector(new Vector3(...nearest.normal), nearest.gap) : placed(other.mesh.origin.clone(), other.track.at(event.time));
+      near.union(new Box3().setFromCenterAndSize(end, size));
+    }
     return points.map((point) => near.clampPoint(point, point));
   }
 }
