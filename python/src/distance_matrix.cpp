@@ -33,8 +33,8 @@ nb::list answers_of(const PythonScene& given, const DistanceMatrix& found) {
     return answers;
 }
 
-PythonMatrix matrix_of(const PythonScene& given, double tolerance, nb::handle find, unsigned threads,
-                       std::optional<double> seconds) {
+PythonMatrix distances_of_all(const PythonScene& given, double tolerance, nb::handle find, unsigned threads,
+                              std::optional<double> seconds) {
     const Asking question = given.asking();
     if (seconds && !(*seconds > 0))
         throw InvalidInput("seconds: must be positive");
@@ -129,8 +129,8 @@ void bind_distance_matrix(nb::module_& module, nb::class_<PythonScene>& scene) {
         .def("__str__", table_of)
         .def("__repr__", [](const Matrix& m) { return "<chasles.DistanceMatrix: " + summary(m) + ">"; });
     scene.def(
-        "least_distances", matrix_of, nb::kw_only(), "tolerance"_a = default_tolerance, "find"_a.none() = "first",
-        "threads"_a = 0, "seconds"_a = nb::none(),
+        "least_distances", distances_of_all, nb::kw_only(), "tolerance"_a = default_tolerance,
+        "find"_a.none() = "first", "threads"_a = 0, "seconds"_a = nb::none(),
         nb::sig("def least_distances(self, *, tolerance: float = 1e-6, " CHASLES_FIND_TYPE
                 ", threads: int = 0, seconds: float | None = None) -> DistanceMatrix"),
         "The least distance of each two bodies over the whole time: the clearance matrix of an assembly. Margins have "
