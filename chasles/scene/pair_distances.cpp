@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace chasles {
@@ -66,10 +66,7 @@ public:
     std::vector<PairDistance> run();
 
 private:
-    enum class Round : std::uint8_t { only, brief, last };
-    static constexpr double seconds_of_brief_round = 0.1; ///< for one pair
-
-    void ask_all(const std::vector<std::size_t>& order, Round round);
+    void ask_all(const std::vector<std::size_t>& order, double seconds_of_pair);
     [[nodiscard]] LeastDistance ask(std::size_t pair) const;
     [[nodiscard]] LeastDistance without_search(std::size_t pair) const;
     void report_progress();
@@ -79,6 +76,7 @@ private:
     const BatchOptions& batch_;
     std::vector<PairDistance> pairs_;
     std::vector<double> bounds_; ///< of each pair: the distance of the boxes that both bodies sweep
+    std::vector<char> is_done_;  ///< of each pair: its answer is not cut by a limit
     Mutex reporting_;
     std::size_t done_ = 0;
 };
@@ -93,8 +91,10 @@ MatrixSearch::MatrixSearch(const Scene& world, const LeastDistanceOptions& optio
                 continue;
             const auto [moving, fixed] = scene::in_their_roles(world, {std::uint32_t(a), std::uint32_t(b)});
             pairs_.push_back({moving, fixed, {}});
+            pairs_.back().nearest.distance.upper = std::numeric_limits<double>::infinity();
             bounds_.push_back(boxes[a].exteriorDistance(boxes[b]) * (1 - rounding));
         }
+    is_done_.resize(pairs_.size());
 }
 
 /// A search that the limit ends has a lower end of 0 at least.
@@ -129,50 +129,49 @@ void MatrixSearch::report_progress() {
     batch_.progress(++done_);
 }
 
-/// Of two answers about one pair.
+/// Of two answers about one pair, with the work of both.
 LeastDistance narrower(LeastDistance known, LeastDistance found) {
-    found.work += known.work;
-    if (found.certain)
-        return found;
-    LeastDistance& nearer = known.distance.upper < found.distance.upper ? known : found;
-    nearer.distance.lower = std::min(std::max(known.distance.lower, found.distance.lower), nearer.distance.upper);
-    nearer.work = found.work;
+    Work work = known.work;
+    work += found.work;
+    LeastDistance& nearer = found.certain || found.distance.upper <= known.distance.upper ? found : known;
+    if (!found.certain)
+        nearer.distance.lower = std::min(std::max(known.distance.lower, found.distance.lower), nearer.distance.upper);
+    nearer.work = work;
     return nearer;
 }
 
-/// Threads take one pair after another. Pairs that are not answered in the first round get a second one.
-void MatrixSearch::ask_all(const std::vector<std::size_t>& order, Round round) {
+/// Threads take one pair after another, each for so long. A pair that takes longer is not done.
+void MatrixSearch::ask_all(const std::vector<std::size_t>& order, double seconds_of_pair) {
     std::atomic<std::size_t> taken = 0;
     parallel_for(batch_.threads, order.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t pair = order[taken++];
+            const Limit limit(seconds_of_pair);
             LeastDistance& nearest = pairs_[pair].nearest;
-            if (round == Round::brief) {
-                const Limit brief(seconds_of_brief_round);
-                nearest = ask(pair);
-            } else {
-                nearest = round == Round::only ? ask(pair) : narrower(std::move(nearest), ask(pair));
-            }
-            if (round != Round::brief || nearest.certain)
+            nearest = narrower(std::move(nearest), ask(pair));
+            is_done_[pair] = !limit.is_over();
+            if (is_done_[pair])
                 report_progress();
         }
     });
 }
 
 /// The nearest boxes first: a limit leaves pairs that are proven to be far apart. Where the time is limited, pairs that
-/// take long wait for the others.
+/// take long are asked again after all others, for a longer time.
 std::vector<PairDistance> MatrixSearch::run() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double first_seconds = 0.1, growth = 4; // all attempts but the last one take a third of its time
     std::vector<std::size_t> order(pairs_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     chasles::sort(order, {}, [&](std::size_t i) { return std::pair(bounds_[i], i); });
     const Limit* const limit = LimitOfThread::get();
-    if (!limit || !limit->has_end()) {
-        ask_all(order, Round::only);
-        return std::move(pairs_);
+    const bool is_limited = limit && limit->has_end();
+    for (double seconds = is_limited ? first_seconds : infinity; !order.empty(); seconds *= growth) {
+        ask_all(order, seconds);
+        if (!is_limited || is_cancelled())
+            break;
+        std::erase_if(order, [&](std::size_t i) { return is_done_[i] != 0; });
     }
-    ask_all(order, Round::brief);
-    std::erase_if(order, [&](std::size_t i) { return pairs_[i].nearest.certain; });
-    ask_all(order, Round::last);
     return std::move(pairs_);
 }
 
