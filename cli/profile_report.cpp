@@ -70,14 +70,25 @@ std::string csv_of(const NamedProfile& found) {
     return text;
 }
 
-void write_to(std::optional<OutputFile>& file, const auto& text) {
+} // namespace
+
+void write_to(std::optional<OutputFile>& file, const std::function<std::string()>& text) {
     if (!file)
         return;
     file->write(text());
     file->close();
 }
 
-} // namespace
+void require_svg(const std::string& plot) {
+    if (std::filesystem::path(plot).extension() == ".png")
+        throw InvalidInput("--plot: " + plot + ": pictures are SVG: name a file .svg; Python's plot() draws others");
+}
+
+void require_answer_of(const ProfileFlags& files, bool is_given) {
+    if (!is_given && !(files.csv.empty() && files.plot.empty()))
+        throw InvalidInput(std::string(files.csv.empty() ? "--plot" : "--csv") +
+                           ": is of --profile or --matrix: give one of them, too");
+}
 
 ProfileRequest::ProfileRequest(const ProfileFlags& flags, const std::string& tolerance) : flags_(flags) {
     if (!tolerance.empty())
@@ -85,9 +96,7 @@ ProfileRequest::ProfileRequest(const ProfileFlags& flags, const std::string& tol
     options_.absolute_tolerance = number_of("--absolute-tolerance", flags.absolute_tolerance);
     for (const std::string& margin : flags.margins)
         options_.margins.push_back(number_of("--margins", margin));
-    if (std::filesystem::path(flags.plot).extension() == ".png")
-        throw InvalidInput("--plot: " + flags.plot +
-                           ": pictures are SVG: name a file .svg; Python's profile.plot() draws others");
+    require_svg(flags.plot);
 }
 
 void ProfileRequest::open_files() {
@@ -161,9 +170,9 @@ ExitStatus status_of(const DistanceProfile& found, bool time_was_over) {
                      time_was_over);
 }
 
-void require_question_of(const std::string& tolerance, bool is_given) {
+void require_question_of(const std::string& tolerance, bool is_given, const std::string& questions) {
     if (!tolerance.empty() && !is_given)
-        throw InvalidInput("--tolerance: is that of --clearance or --profile: give one of them, too");
+        throw InvalidInput("--tolerance: is that of " + questions + ": give one of them, too");
 }
 
 void add_profile_options(CLI::App& command, ProfileFlags& flags, CLI::Option* needed) {

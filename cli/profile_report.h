@@ -7,6 +7,7 @@
 #include "cli/report.h"
 #include "view/answer_json.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,8 +25,16 @@ struct ProfileFlags {
 /// The options have no effect without the one that is needed, if there is one.
 void add_profile_options(CLI::App& command, ProfileFlags& flags, CLI::Option* needed = nullptr);
 
-/// Refuses --tolerance where neither --clearance nor --profile is given.
-void require_question_of(const std::string& tolerance, bool is_given);
+/// Refuses --tolerance where none of its questions is asked.
+void require_question_of(const std::string& tolerance, bool is_given,
+                         const std::string& questions = "--clearance or --profile");
+
+/// Refuses --csv and --plot where neither --profile nor --matrix is given.
+void require_answer_of(const ProfileFlags& files, bool is_given);
+/// Refuses the name of a picture that is no SVG.
+void require_svg(const std::string& plot);
+/// Writes what `text` returns, if there is a file.
+void write_to(std::optional<OutputFile>& file, const std::function<std::string()>& text);
 
 /// A profile, and the names of the pairs that its steps count; none where there are only two bodies.
 struct NamedProfile {

@@ -68,13 +68,6 @@ private:
     const ConfigurationBox& whole_;
 };
 
-std::string without_marks(const std::string& name) {
-    std::string text;
-    for (const char c : name)
-        text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return text;
-}
-
 /// The shares, beside their colours.
 std::string legend(const RobotRange& range) {
     std::string text;

@@ -8,6 +8,7 @@
 #include "cli/report.h"
 #include "cli/scene_clearance.h"
 #include "cli/scene_file.h"
+#include "cli/scene_matrix.h"
 #include "cli/untested_text.h"
 #include "cli/warnings.h"
 #include "view/answer_json.h"
@@ -38,6 +39,7 @@ struct SceneOptions {
     std::string title;
     bool finds_clearance = false;
     bool finds_profile = false;
+    bool finds_matrix = false;
     bool wants_curve = false; ///< on the page
     bool all = false;
     bool any = false;
@@ -117,6 +119,10 @@ std::string report_all(const SceneFile& file, const SceneAnswer& answer, const S
     return text + summary(scene, answer);
 }
 
+std::string title_of(const SceneOptions& options) {
+    return options.title.empty() ? std::filesystem::path(options.file).filename().string() : options.title;
+}
+
 /// The page of an answer. The file is opened before the question is answered.
 class PageFile {
 public:
@@ -136,8 +142,7 @@ public:
         record.until = query.until;
         if (options_.wants_curve)
             record.curve = view::curve_of(scene, query.options.margin);
-        record.title =
-            options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
+        record.title = title_of(options_);
         file_->write(view::scene_page(record));
         file_->close();
         if (!options_.json)
@@ -174,7 +179,9 @@ SceneAnswer answer_of(const SceneOptions& options, const SceneFile& file, const 
 }
 
 int run_scene(const SceneOptions& options) {
-    require_question_of(options.tolerance, options.finds_clearance || options.finds_profile);
+    require_question_of(options.tolerance, options.finds_clearance || options.finds_profile || options.finds_matrix,
+                        "--clearance, --profile or --matrix");
+    require_answer_of(options.profile, options.finds_profile || options.finds_matrix);
     std::optional<double> margin;
     if (!options.margin.empty())
         margin = number_of("--margin", options.margin);
@@ -183,6 +190,10 @@ int run_scene(const SceneOptions& options) {
         return run_scene_clearance({file, least_options(options), options.seconds, options.json});
     if (options.finds_profile)
         return run_scene_profile({file, options.profile, options.tolerance, options.seconds, options.json});
+    if (options.finds_matrix)
+        return run_scene_matrix({file, least_options(options), options.polyhedron.threads, options.seconds,
+                                 options.json, options.profile.csv, options.profile.plot, options.page,
+                                 title_of(options), options.wants_curve});
     PageFile page(options);
     const Interruption interruption;
     const Limit limit(seconds_of(options.seconds), [] { return !Interruption::is_requested(); });
@@ -224,14 +235,23 @@ void add_scene(CLI::App& app, Task& task) {
     auto* const profile = command.add_flag("--profile", options->finds_profile,
                                            "find the distance of the nearest two bodies over the time, and which two");
     profile->excludes(all)->excludes(clearance);
+    auto* const matrix = command.add_flag("--matrix", options->finds_matrix,
+                                          "find how near each two bodies come to each other, or when they touch");
+    matrix->excludes(all)->excludes(clearance)->excludes(profile);
     command
         .add_option("--tolerance", options->tolerance,
-                    "aimed width of the bracket of the clearance, as a part of it (1e-6), or of the profile (0.01)")
+                    "aimed width of the bracket of each distance, as a part of it (1e-6), or of the profile (0.01)")
         ->type_name("T");
     add_profile_options(command, options->profile, profile);
+    command.get_option("--csv")->remove_needs(profile);
+    command.get_option("--csv")->description(
+        "write the bounds of the profile, or the pairs of the matrix, to this file");
+    command.get_option("--plot")->remove_needs(profile);
+    command.get_option("--plot")->description("draw the bounds of the profile, or the matrix, as SVG");
     command.add_option("--until", options->until, "leave out contacts after this time")
         ->excludes(clearance)
         ->excludes(profile)
+        ->excludes(matrix)
         ->type_name("T")
         ->capture_default_str();
     command
@@ -239,6 +259,7 @@ void add_scene(CLI::App& app, Task& task) {
                     "distance of the surfaces that counts as contact; instead of the file's")
         ->excludes(clearance)
         ->excludes(profile)
+        ->excludes(matrix)
         ->type_name("D");
     command
         .add_option("--hold", options->hold,
@@ -246,13 +267,14 @@ void add_scene(CLI::App& app, Task& task) {
                     "the file's")
         ->excludes(clearance)
         ->excludes(profile)
+        ->excludes(matrix)
         ->type_name("H");
     command.add_option("--time-tolerance", options->time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
     auto* const any = command.add_flag("--any", options->any, "stop at any contact, which need not be the first one");
     any->excludes(all);
-    any->excludes(clearance)->excludes(profile);
+    any->excludes(clearance)->excludes(profile)->excludes(matrix);
     command
         .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
         ->excludes(any);
@@ -263,7 +285,6 @@ void add_scene(CLI::App& app, Task& task) {
     auto* const page =
         command.add_option("--page", options->page, "write a page (HTML) that shows the scene and its contacts too")
             ->excludes(clearance)
-            ->excludes(profile)
             ->excludes(profile)
             ->type_name("FILE");
     command.add_option("--title", options->title, "title of the page; default: the name of the scene file")

@@ -21,6 +21,14 @@ inline std::string svg_line(double x1, double y1, double x2, double y2, std::str
                        x1, y1, x2, y2, style);
 }
 
+/// A name as text of a picture.
+inline std::string without_marks(std::string_view name) {
+    std::string text;
+    for (const char c : name)
+        text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return text;
+}
+
 inline std::string svg_text(double x, double y, std::string_view anchor, std::string_view words) {
     return fmt::format(R"(<text x="{:.2f}" y="{:.2f}" text-anchor="{}">{}</text>)"
                        "\n",

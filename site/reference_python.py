@@ -31,7 +31,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
         "The least distance, and the distance over time",
         ["least_distance", "LeastDistance", "profile", "DistanceProfile"],
     ),
-    "scenes": ("Scenes", ["Scene", "SceneContact", "UntestedPairs", "Stepper", "StepEvent", "CollisionManager"]),
+    "scenes": ("Scenes", ["Scene", "SceneContact", "DistanceMatrix", "UntestedPairs", "Stepper", "StepEvent", "CollisionManager"]),
     "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock", "MassProperties"]),
     "robots": (
         "Robots",

@@ -154,6 +154,20 @@ Json scene_distance_json(const chasles::Scene& scene, const SceneDistance& found
     return answer;
 }
 
+Json distance_matrix_json(const chasles::Scene& scene, const DistanceMatrix& found) {
+    Json pairs = Json::array();
+    Work work;
+    for (const auto& [moving, fixed, nearest] : found.pairs) {
+        Json pair{{"pair", {scene.bodies()[moving].name, scene.bodies()[fixed].name}},
+                  {"distance", nearest.distance.lower},
+                  {"distance_upper", nearest.distance.upper}};
+        add_found(pair, nearest, MotionKind::velocity); // which has no tau
+        pairs.push_back(std::move(pair));
+        work += nearest.work;
+    }
+    return {{"pairs", std::move(pairs)}, {"untested", untested_json(found.untested)}, {"work", json_of(work)}};
+}
+
 Json configuration_json(const chasles::Robot& robot, const Configuration& configuration) {
     Json values = Json::object();
     for (std::size_t i = 0; i < robot.variables().size(); ++i)

@@ -29,6 +29,10 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, b
 /// overlap, inside and contacts_cut, untested and work. Without a pair: distance and distance_upper, which are null.
 Json scene_distance_json(const chasles::Scene& scene, const SceneDistance& found);
 
+/// The answer of `scene --matrix`: `pairs`, each with pair, distance, distance_upper, time, time_upper, certain, pose,
+/// contacts, and perhaps overlap, inside and contacts_cut; untested and work.
+Json distance_matrix_json(const chasles::Scene& scene, const DistanceMatrix& found);
+
 /// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,
 /// certain, pair and contacts, too, contacts_cut if true, and `held` if it is not empty. Times count within the
 /// segment, in [0, 1], or in stamps. Robots' answers have `untested`.

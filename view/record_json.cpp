@@ -60,6 +60,25 @@ Json event_json(const RecordedContact& event) {
     return json;
 }
 
+/// A pair as an event of the list, with the bracket of its distance.
+Json matrix_json(const DistanceMatrix& matrix) {
+    Json pairs = Json::array();
+    for (const auto& [moving, fixed, nearest] : matrix.pairs) {
+        const bool touches = nearest.distance.upper == 0; // then the list has them
+        Json pair = event_json({.time = nearest.time.lower,
+                                .time_upper = nearest.time.upper,
+                                .certain = nearest.certain,
+                                .moving = moving,
+                                .fixed = fixed,
+                                .contacts = touches ? std::vector<Contact>() : nearest.contacts,
+                                .contacts_cut = nearest.contacts_cut});
+        pair["distance"] = nearest.distance.lower;
+        pair["distance_upper"] = nearest.distance.upper;
+        pairs.push_back(std::move(pair));
+    }
+    return pairs;
+}
+
 std::vector<const RecordedContact*> in_order_of_time(const std::vector<RecordedContact>& contacts) {
     std::vector<const RecordedContact*> ordered;
     ordered.reserve(contacts.size());
@@ -91,6 +110,8 @@ std::string record_json(const SceneRecord& record) {
         json["untested"] = untested_json(*record.untested);
     if (record.curve)
         json["curve"] = curve_json(*record.curve);
+    if (record.matrix)
+        json["matrix"] = matrix_json(*record.matrix);
     return page_text(json);
 }
 

@@ -103,6 +103,28 @@ SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, 
     return record;
 }
 
+SceneRecord scene_record(const chasles::Scene& scene, const DistanceMatrix& found) {
+    SceneAnswer touches;
+    touches.verdict = Verdict::clear; // of an answer
+    touches.untested = found.untested;
+    for (const auto& [moving, fixed, nearest] : found.pairs) {
+        if (nearest.distance.upper > 0)
+            continue;
+        FirstContact contact;
+        contact.time = nearest.time;
+        contact.certain = nearest.certain;
+        contact.contacts = nearest.contacts;
+        contact.contacts_cut = nearest.contacts_cut;
+        contact.overlap = nearest.overlap;
+        contact.inside = nearest.inside;
+        touches.contacts.push_back({moving, fixed, std::move(contact)});
+    }
+    SceneRecord record = scene_record(scene, touches, RecordSource::all_contacts);
+    record.clear_until.reset(); // pairs may be open
+    record.matrix = found;
+    return record;
+}
+
 void require_valid(const SceneRecord& record) {
     if (record.times.empty())
         refuse("times", "there are none");

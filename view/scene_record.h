@@ -50,11 +50,15 @@ struct SceneRecord {
     std::vector<RecordedContact> contacts = {}; ///< in any order
     std::optional<UntestedPairs> untested = {}; ///< of the answer, if it is known
     std::optional<Curve> curve = {};
+    std::optional<DistanceMatrix> matrix = {}; ///< of these bodies
 };
 
 /// The record of an answered scene, over the time [0, 1]. `source` is the question that was asked. Bodies are in the
 /// order of the scene.
 SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, RecordSource source);
+
+/// The record of the least distances of all pairs. Its contacts are those of the pairs that touch.
+SceneRecord scene_record(const chasles::Scene& scene, const DistanceMatrix& found);
 
 /// Throws InvalidInput "record: WHERE: WHY" for a wrong record. Times have to ascend. A body has one pose, or one for
 /// each time. A contact is within the times and names two bodies of the record. All numbers are finite.

@@ -81,6 +81,20 @@ struct [[nodiscard]] SceneDistance {
     UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
 };
 
+/// How near two bodies of a scene come to each other.
+struct PairDistance {
+    std::size_t moving = 0; ///< the index of the body in Scene::bodies()
+    std::size_t fixed = 0;  ///< likewise; it stands still, or the order of names decides
+    LeastDistance nearest;  ///< in the world
+};
+
+/// How near each two bodies of a scene come to each other.
+struct [[nodiscard]] DistanceMatrix {
+    /// Each tested pair once, in the order of its lesser index, then of its greater one.
+    std::vector<PairDistance> pairs;
+    UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
+};
+
 /// How near the bodies of a scene are to each other over time.
 struct [[nodiscard]] SceneProfile {
     DistanceProfile distance; ///< the least of all pairs; infinite if none is tested
@@ -136,6 +150,12 @@ public:
     /// so far. Throws InvalidInput for an option out of its range, and if all pairs are farther apart than
     /// Pose::largest_length. Source: docs/derivations/27-scenes.md, "Nearest".
     [[nodiscard]] SceneDistance least_distance(const LeastDistanceOptions& options = {}) const;
+    /// The least distance of each tested pair, over the whole time; margins have no effect. The same for any number of
+    /// threads. At a Limit, pairs that were not searched have the distance of the boxes that they sweep and that of two
+    /// points at the start, and are not certain. Throws InvalidInput for an option out of its range. Source:
+    /// docs/derivations/27-scenes.md, "All pairs".
+    [[nodiscard]] DistanceMatrix least_distances(const LeastDistanceOptions& options = {},
+                                                 const BatchOptions& batch = {}) const;
     /// The distance of the nearest pair over the time; margins of the scene have no effect. At a Limit what is proven
     /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
     /// pairs".

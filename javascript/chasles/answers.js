@@ -182,11 +182,25 @@ export function profile(reader) {
 
 const pairOf = (reader, names) => [names[reader.number()], names[reader.number()]];
 
+/** Of a pair of a scene, and its work, which stands last in an answer. */
+function pairDistance(reader, names) {
+  const answer = { pair: pairOf(reader, names), distance: reader.number(), distance_upper: reader.number() };
+  return { answer, counters: addFound(answer, reader, false) };
+}
+
+/** Of each tested pair of a scene. */
+export function sceneDistances(reader, names) {
+  const pairs = reader.list(() => {
+    const { answer, counters } = pairDistance(reader, names);
+    return { ...answer, work: counters };
+  });
+  return { pairs, untested: untested(reader, names) };
+}
+
 /** Of the nearest pair of a scene, or null if no two bodies are tested. */
 export function sceneDistance(reader, names) {
   if (!reader.flag()) return null;
-  const answer = { pair: pairOf(reader, names), distance: reader.number(), distance_upper: reader.number() };
-  const counters = addFound(answer, reader, false);
+  const { answer, counters } = pairDistance(reader, names);
   answer.untested = untested(reader, names);
   answer.work = counters;
   return answer;

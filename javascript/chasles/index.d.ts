@@ -432,6 +432,8 @@ export declare class Scene {
   clearUntil(options?: SceneListOptions): Record<string, number>;
   /** The two bodies that come nearest to each other, over the whole time; margins have no effect. Null if no two bodies are tested. */
   leastDistance(options?: SceneDistanceOptions): SceneDistance | null;
+  /** The least distance of each two bodies, over the whole time; margins have no effect. */
+  leastDistances(options?: SceneDistanceOptions): SceneDistances;
   /** The distance of the two bodies that are nearest, over the time; margins of the scene have no effect. Infinite if no two bodies are tested. */
   profile(options?: SceneProfileOptions): SceneProfile;
 }
@@ -443,6 +445,17 @@ export type SceneProfileOptions = ProfileTolerances & LeftOut<"find"> & NotOfSce
 export interface SceneDistance extends Omit<LeastDistance, "motion"> {
   /** The first body moves, the second one is fixed. The lower end of the distance holds for all pairs. */
   pair: [string, string];
+  untested: Untested;
+}
+
+export interface PairDistance extends Omit<LeastDistance, "motion"> {
+  /** The first body moves, the second one is fixed. */
+  pair: [string, string];
+}
+
+export interface SceneDistances {
+  /** Each tested pair, in the order of its bodies in `names`. */
+  pairs: PairDistance[];
   untested: Untested;
 }
 

@@ -1,5 +1,5 @@
 // Many bodies in one world, and a body in a hand.
-import { dragStep, sceneContact, sceneDistance, sceneEvents, sceneProfile } from "./answers.js";
+import { dragStep, sceneContact, sceneDistance, sceneDistances, sceneEvents, sceneProfile } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { given, Held } from "./held.js";
 import { addDrag, addLeast, addProfile, addQuery, addWorldMotion, addWorldRule, dragOptions, leastOptions, profileOptions } from "./numbers.js";
@@ -8,7 +8,7 @@ import { addPose, addPoses } from "./poses.js";
 import { checkOptions, number, text } from "./values.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
-const questions = { firstContact: 0, allContacts: 1, clearUntil: 2, leastDistance: 3, profile: 4 };
+const questions = { firstContact: 0, allContacts: 1, clearUntil: 2, leastDistance: 3, profile: 4, leastDistances: 5 };
 const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3, setHold: 4, setGroupHold: 5 };
 
 const encode = (value, name) => new TextEncoder().encode(text(value, name));
@@ -113,6 +113,10 @@ export class Scene extends Held {
   leastDistance(options = {}) {
     checkOptions(options, leastOptions);
     return sceneDistance(answer(this, "leastDistance", addLeast([], options)), this.#names);
+  }
+  leastDistances(options = {}) {
+    checkOptions(options, leastOptions);
+    return sceneDistances(answer(this, "leastDistances", addLeast([], options)), this.#names);
   }
   profile(options = {}) {
     checkOptions(options, profileOptions);

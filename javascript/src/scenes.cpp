@@ -58,7 +58,7 @@ void write(Numbers& out, const Scene& scene, const SceneQuery& query, const Scen
     write(out, scene, found.untested.total() > 0 ? scene.untested(query) : found.untested);
 }
 
-enum class Question : std::uint8_t { first_contact, all_contacts, clear_until, least_distance, profile };
+enum class Question : std::uint8_t { first_contact, all_contacts, clear_until, least_distance, profile, least_distances };
 
 /// A flag whether there is a pair, its bodies and its distance; and what is not tested.
 void write_least_distance(Numbers& out, const Scene& scene) {
@@ -68,6 +68,18 @@ void write_least_distance(Numbers& out, const Scene& scene) {
     if (found.pair) {
         out.insert(out.end(), {double(found.pair->first), double(found.pair->second)});
         javascript::write(out, found.nearest);
+    }
+    write(out, scene, scene.untested());
+}
+
+/// The bodies and the distance of each pair; and what is not tested.
+void write_least_distances(Numbers& out, const Scene& scene) {
+    NumbersIn in(given_numbers());
+    const DistanceMatrix found = scene.least_distances(least_options_in(in));
+    out.push_back(double(found.pairs.size()));
+    for (const PairDistance& pair : found.pairs) {
+        out.insert(out.end(), {double(pair.moving), double(pair.fixed)});
+        javascript::write(out, pair.nearest);
     }
     write(out, scene, scene.untested());
 }
@@ -87,6 +99,8 @@ void write_profile(Numbers& out, const Scene& scene) {
 void answer_scene(Numbers& out, const Scene& scene, Question question) {
     if (question == Question::least_distance)
         return write_least_distance(out, scene);
+    if (question == Question::least_distances)
+        return write_least_distances(out, scene);
     if (question == Question::profile)
         return write_profile(out, scene);
     const SceneQuery query = query_in();
@@ -213,7 +227,7 @@ CHASLES_JAVASCRIPT(scene_rule)(std::int32_t scene, std::int32_t rule, std::uint3
 /// Answers a question about a scene. The options are in the numbers.
 CHASLES_JAVASCRIPT(scene_question)(std::int32_t scene, std::int32_t question) {
     return js::answered([&](js::Numbers& out) {
-        if (question < 0 || question > std::int32_t(js::Question::profile))
+        if (question < 0 || question > std::int32_t(js::Question::least_distances))
             throw chasles::InvalidInput("scene: there is no such question");
         js::answer_scene(out, js::scene_of(scene), js::Question(question));
     });

@@ -18,6 +18,7 @@ from ._core import (
     ConstantTwist,
     ConstantVelocity,
     Contact,
+    DistanceMatrix,
     DistanceProfile,
     DragContact,
     DragEvent,
@@ -90,6 +91,7 @@ __all__ = [
     "ConstantVelocity",
     "Contact",
     "ContactKind",
+    "DistanceMatrix",
     "DistanceProfile",
     "DragContact",
     "DragEvent",
@@ -186,6 +188,14 @@ def _plot_range(found: RobotRange, *arguments: Any, **options: Any) -> Any:
     return plot_range(found, *arguments, **options)
 
 
+def _plot_matrix(matrix: DistanceMatrix, *arguments: Any, **options: Any) -> Any:
+    """Draw the least distances of all pairs with matplotlib: see `chasles.plot_matrix.plot_matrix`."""
+    from .plot_matrix import plot_matrix  # as above
+
+    return plot_matrix(matrix, *arguments, **options)
+
+
+DistanceMatrix.plot = _plot_matrix  # type: ignore[attr-defined]
 RobotRange.plot = _plot_range  # type: ignore[attr-defined]
 FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]

@@ -13,6 +13,7 @@ _COMPARISONS = {
     ],
     "its distance, as in `found.distance > 0`": [_core.LeastDistance, _core.RobotClearance],
     "its bounds, as in `profile.lower.min() > 0`": [_core.DistanceProfile],
+    "its bounds, as in `numpy.nanmin(matrix.lower) > 0`": [_core.DistanceMatrix],
     "its verdict, as in `found.verdict == 'clear'`": [_core.ClearBox, _core.RobotRange],
     "its reason, as in `proof.reason == 'never'`": [_core.PairProof],
     "its state, as in `step.state == 'reached'`": [_core.DragStep],

@@ -8,6 +8,7 @@ _WAYS_OUT = {
     "keep the numbers that you need from this answer, or ask again": [
         _core.ClearBox,
         _core.Contact,
+        _core.DistanceMatrix,
         _core.DistanceProfile,
         _core.DragContact,
         _core.DragEvent,

@@ -8,14 +8,14 @@ from typing import Any
 import numpy.typing as npt
 
 from . import _core
-from ._core import InvalidInput, Polyhedron, Scene, SceneContact
+from ._core import DistanceMatrix, InvalidInput, Polyhedron, Scene, SceneContact
 
 _KEYS = {"time", "pair", "points", "normals", "gaps", "kind", "time_upper", "certain"}
 
 
 def write_scene_page(
     scene: Scene,
-    found: SceneContact | Sequence[SceneContact],
+    found: SceneContact | Sequence[SceneContact] | DistanceMatrix,
     out: str | os.PathLike[str] = "page.html",
     *,
     title: str = "Chasles",
@@ -29,8 +29,9 @@ def write_scene_page(
     ----------
     scene : Scene
         As it was when it was asked: the page shows the motions that the scene has now.
-    found : SceneContact or list of SceneContact
-        The answer of `scene.first_contact` or of `scene.all_contacts`.
+    found : SceneContact, list of SceneContact, or DistanceMatrix
+        The answer of `scene.first_contact`, of `scene.all_contacts`, or of `scene.least_distances`, which the page shows as a
+        table.
     out : path
         The file to write.
     title : str

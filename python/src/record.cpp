@@ -34,13 +34,35 @@ void add_to(SceneAnswer& found, const Scene& scene, const SceneContactAnswer& an
 const SceneContactAnswer& scene_contact(nb::handle argument) {
     const SceneContactAnswer* contact = nullptr;
     if (!nb::try_cast(argument, contact) || !contact)
-        throw nb::type_error("found: must be a chasles.SceneContact, or a list of them");
+        throw nb::type_error("found: must be a chasles.SceneContact, a list of them, or a chasles.DistanceMatrix");
     return *contact;
 }
 
-/// `found` is what first_contact or all_contacts of the scene has returned.
+/// The matrix of a scene whose bodies may have other places in it now.
+DistanceMatrix matrix_in(const Scene& scene, const PythonMatrix& given) {
+    DistanceMatrix matrix = given.found;
+    for (PairDistance& pair : matrix.pairs)
+        for (std::size_t* const body : {&pair.moving, &pair.fixed})
+            *body = scene.index_of(given.names[*body]);
+    return matrix;
+}
+
+std::string matrix_page(const PythonScene& scene, const PythonMatrix& given, const std::string& title, bool curve) {
+    const DistanceMatrix matrix = matrix_in(scene.scene, given);
+    const WithoutGil without_gil;
+    const EndsBySignals ends_by_signals;
+    view::SceneRecord record = view::scene_record(scene.scene, matrix);
+    if (curve)
+        record.curve = view::curve_of(scene.scene, 0);
+    record.title = title;
+    return view::scene_page(record);
+}
+
+/// `found` is what first_contact, all_contacts or least_distances of the scene has returned.
 std::string scene_page(const PythonScene& scene, nb::handle found, const std::string& title, bool curve) {
     const Asking question = scene.asking();
+    if (nb::isinstance<PythonMatrix>(found))
+        return matrix_page(scene, nb::cast<const PythonMatrix&>(found), title, curve);
     SceneAnswer answer;
     view::SceneRecord record;
     std::optional<double> clear_until;

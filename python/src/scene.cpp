@@ -315,6 +315,7 @@ void bind_scene(nb::module_& module) {
     nb::class_<PythonScene> type(module, "Scene", doc("Scene"), collected<PythonScene>());
     bind_scene_state(type);
     bind_profile(type);
+    bind_distance_matrix(module, type);
     type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
              "motion"_a = nb::none(), "centre"_a = nb::none(), "group"_a = "",

@@ -54,6 +54,18 @@ struct SceneContactAnswer : Answer {
     UntestedPairs untested = {}; ///< of the answer of first_contact
 };
 
+/// The least distances of all pairs of a scene, with the names of its bodies at that time.
+struct PythonMatrix {
+    std::vector<std::string> names;
+    DistanceMatrix found;
+    nb::object answers = nb::list(); ///< a LeastDistance for each pair
+};
+
+template <typename Visit>
+void for_each_reference(PythonMatrix& matrix, const Visit& visit) {
+    visit(matrix.answers);
+}
+
 /// The motion of one body as seen from another one.
 PlainMotion relative_motion(const PythonScene& scene, const std::string& moving, const std::string& fixed);
 
@@ -67,6 +79,9 @@ std::vector<std::string> names_of(const PythonScene& scene);
 /// A motion by poses in the world. `motion` is None, a motion, or the name of a kind. Without a goal the body stands
 /// still.
 PlainMotion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
+
+/// DistanceMatrix, and the question for it.
+void bind_distance_matrix(nb::module_& module, nb::class_<PythonScene>& scene);
 
 /// Pickle of scenes.
 void bind_scene_state(nb::class_<PythonScene>& type);

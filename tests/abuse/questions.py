@@ -78,6 +78,12 @@ QUESTIONS = {
             (file("--csv"), file("--plot")),
         ),
         Question(
+            "scene-matrix",
+            ("scene", "scene.json", "--matrix"),
+            ("scene.json", *BODIES, *PART, "fixture.urdf", "fixture.3mf"),
+            (file("--csv"), file("--plot"), file("--page")),
+        ),
+        Question(
             "drag",
             ("drag", "rest.json", "--body", "box", "--goals", "goals.csv"),
             ("rest.json", *BODIES, *PART, "goals.csv"),

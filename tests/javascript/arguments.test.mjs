@@ -118,6 +118,7 @@ test("null is no value of any option, and undefined counts as left out", async (
     [["tolerance", "timeTolerance", "find", ...motion, ...fixed], (options) => chasles.leastDistance(cube, cube, far, far, options)],
     [[...profile, ...motion, ...fixed], (options) => chasles.profile(cube, cube, far, far, options)],
     [["tolerance", "timeTolerance", "find"], (options) => scene.leastDistance(options)],
+    [["tolerance", "timeTolerance", "find"], (options) => scene.leastDistances(options)],
     [profile, (options) => scene.profile(options)],
     [[...motion, ...fixed], (options) => chasles.poseAt(far, far, 0, options)],
     [[...places, "group"], (options) => scene.add("b", cube, options)],
@@ -156,7 +157,7 @@ test("an undefined option counts as left out, also one of another question", asy
     () => chasles.firstContactOnPath(cube, cube, [far, far], none), () => chasles.leastDistance(cube, cube, far, far, none),
     () => chasles.firstContactBatch(cube, cube, [far], [far], none), () => scene.add("a", cube, none), () => scene.move("a", { ...none, pose: far }),
     () => scene.moveAll([far], [far], none), () => scene.firstContact(none), () => scene.allContacts(none), () => scene.clearUntil(none),
-    () => chasles.profile(cube, cube, far, far, none), () => scene.leastDistance(none), () => scene.profile(none),
+    () => chasles.profile(cube, cube, far, far, none), () => scene.leastDistance(none), () => scene.leastDistances(none), () => scene.profile(none),
     () => chasles.draggedBody(scene, "a", none), () => chasles.polyhedron(vertices, faces, none), () => chasles.workers({ ...none, count: 1 }).then((workers) => workers.stop()), () => load(none),
   ];
   for (const ask of asked) await ask();

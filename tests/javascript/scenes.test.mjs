@@ -96,6 +96,28 @@ test("profiles bound the distance at every time, and tell zones and free times",
   assert.match(refusal(() => chasles.profile(cube, cube, [-5, 2.5, 0], [5, 2.5, 0], { margins: 1 })), /^margins: 1 is no array/);
 });
 
+test("a scene has the least distance of each two bodies", () => {
+  const scene = chasles.scene();
+  assert.deepEqual(scene.leastDistances().pairs, []);
+  scene.add("post", cube, { pose: [0, 1.5, 0] });
+  scene.add("wall", cube, { pose: [3, 0.2, 0.1] });
+  scene.add("cart", cube, { pose: [-4, 0, 0], goal: [4, 0, 0] });
+  scene.add("lid", cube, { pose: [-4, 9, 0], goal: [4, 9, 0] });
+  scene.ignore("wall", "lid");
+  const { pairs, untested } = scene.leastDistances({ tolerance: 1e-9 });
+  assert.deepEqual(pairs.map(({ pair }) => pair), [["cart", "post"], ["lid", "post"], ["cart", "wall"], ["cart", "lid"]]);
+  const distances = [0.5, 6.5, 0, 8];
+  pairs.forEach(({ distance, distance_upper, certain }, i) => {
+    assert.ok(certain && distance <= distances[i] && distance_upper >= distances[i] && distance_upper - distance < 1e-7);
+  });
+  assert.ok(pairs[2].distance_upper === 0 && Math.abs(pairs[2].time - 6 / 8) < 1e-9);
+  assert.deepEqual([untested.tested, untested.pairs], [4, 2]);
+  const nearest = pairs.filter(({ distance }) => distance > 0).sort((a, b) => a.distance - b.distance)[0];
+  scene.ignore("cart", "wall");
+  assert.equal(scene.leastDistance({ tolerance: 1e-9 }).distance_upper, nearest.distance_upper);
+  assert.match(refusal(() => scene.leastDistances({ margin: 1 })), /^margin: is no option/);
+});
+
 test("a scene names the two bodies that are nearest, and when", () => {
   const scene = chasles.scene();
   assert.equal(scene.leastDistance(), null);

@@ -162,6 +162,7 @@ test("answers have the keys of the types", () => {
     LeastDistance: [chasles.leastDistance(cube, cube, far, near), chasles.leastDistance(cube, cube, far, far)],
     DistanceProfile: [asLists(chasles.profile(cube, cube, far, near, { margins: [1] }))],
     SceneDistance: [scene.leastDistance(), table.leastDistance()],
+    SceneDistances: [scene.leastDistances(), table.leastDistances()],
     SceneProfile: [asLists(scene.profile()), asLists(table.profile({ margins: [0.1] }))],
     SceneContact: [scene.firstContact(), scene.firstContact({ until: 0.01 }), table.firstContact(held)],
     SceneEvents: [scene.allContacts()],

@@ -171,6 +171,7 @@ QUESTIONS = {
     "nearest_pair": ("", "chasles._core._nearest_pair(scene, ['lower', 'upper'], tolerance=1e-9)"),
     "profile": ("", "chasles.profile(*sheets[::-1], motion=slide)"),
     "scene_profile": ("", "scene.profile()"),
+    "scene_distances": ("", "scene.least_distances()"),
     "scene_distance": ("", "scene.least_distance()"),
     "stepper": ("stepper = chasles.Stepper(scene, margin=1e-10)", "stepper.advance()"),
     "robot": ("arm = robot()", "arm.first_contact([0, 0], [0.4, 0.8])"),

@@ -50,6 +50,7 @@ SCENE_QUESTIONS = {
     "clear_until": lambda s: s.clear_until(),
     "first_contact": lambda s: s.first_contact().time,
     "least_distance": lambda s: s.least_distance().distance_upper,
+    "least_distances": lambda s: s.least_distances().upper.shape,
     "profile": lambda s: s.profile().upper.min(),
 }
 SCENE_READS = {"names", "untested", "view"}

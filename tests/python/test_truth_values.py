@@ -18,6 +18,7 @@ def dragged():
 
 ANSWERS = {
     "ClearBox": lambda: robot().clear_box(*robot().box_of_joints(["turn"])),
+    "DistanceMatrix": lambda: scene().least_distances(),
     "DistanceProfile": lambda: chasles.profile(cube(), cube(), START, GOAL),
     "DragStep": dragged,
     "FirstContact": lambda: chasles.first_contact(cube(), cube(), START, GOAL),

@@ -69,6 +69,9 @@ class ScenePage(PageTest):
         between = {"bodies": [{"name": "low", "mesh": "cube.obj"}, {"name": "high", "mesh": "cube.obj", "pose": [0, 0, 3.1]}, rising]}
         (folder / "between.json").write_text(json.dumps(between))
         run("scene", "between.json", "--margin", "0.1", "--page", "curve.html", "--curve")
+        cls.matrix = json.loads(run("scene", "scene.json", "--matrix", "--json").stdout)["pairs"]
+        run("scene", "scene.json", "--matrix", "--page", "matrix.html", "--title", "Matrix")
+        run("scene", "between.json", "--matrix", "--page", "matrix_clear.html")
         (folder / "empty.json").write_text('{"bodies": []}')
         run("scene", "empty.json", "--page", "empty.html")
         cloud = "".join(f"{i % 150} {i // 150} -9\n" for i in range(150 * 150))
@@ -109,6 +112,79 @@ class ScenePage(PageTest):
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('#curve .margin').length"), 1)
         box = "document.getElementById('curve').getBoundingClientRect()"
         self.assertGreater(self.browser.evaluate(f"{box}.width * {box}.height"), 5000)
+
+    def cell(self, row: str, column: str) -> int:
+        """The number of a cell in the table, from 0."""
+        names = [body["name"] for body in SCENE["bodies"]]
+        return names.index(row) * len(names) + names.index(column)
+
+    def on_cell(self, row: str, column: str, does: str) -> object:
+        return self.browser.evaluate(f"(cell => {does})(document.querySelectorAll('#matrix tbody td')[{self.cell(row, column)}])")
+
+    def test_a_cell_of_the_matrix_shows_its_pair_at_its_time(self) -> None:
+        self.open("matrix.html")
+        self.assertEqual(self.text("h1"), "Matrix")
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#matrix tbody td').length"), 25)
+        touching = 0
+        for pair in self.matrix:
+            (moving, fixed), touches = pair["pair"], pair["distance_upper"] == 0
+            touching += touches
+            for row, column in [(moving, fixed), (fixed, moving)]:
+                self.browser.press("Escape")
+                self.on_cell(row, column, "cell.click()")
+                self.assertEqual(self.time(), pair["time"], "to the last bit")
+                self.assertIn(f"{moving} on {fixed}", self.text("#numbers"))
+                self.assertIn(f"moving: {moving}", self.text("#legend"))
+                said = self.text("#matrix-text").removeprefix(f"{moving} on {fixed}: ")
+                if touches:
+                    self.assertIn("contact at time", said)
+                else:
+                    self.assertAlmostEqual(float(said.split()[0]), pair["distance"], delta=1e-3 * pair["distance"])
+                self.assertEqual(self.on_cell(row, column, "cell.className.includes('touches')"), touches)
+                self.assertEqual(self.browser.evaluate("document.querySelectorAll('#matrix [aria-selected=true]').length"), 2)
+            numbers = self.as_numbers(self.text("#numbers").split())
+            shown = [pair["time"]] + ([] if touches else [pair["distance"], pair["distance_upper"]])
+            self.assertEqual([number for number in shown if number not in numbers], [])
+        self.assertEqual(self.text("#verdict"), f"{touching} pairs touch")
+        self.assertGreater(touching, 1)
+        self.assertGreater(len(self.matrix), touching + 1)
+        picture = self.picture("matrix_chosen")
+        self.assertGreater(count(picture, is_contact_colour), 60, "markers and cells")
+        self.assertGreater(count(picture, is_moving_colour), 500, "the pair is framed")
+        self.browser.press("Escape")
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#matrix [aria-selected=true]').length"), 0)
+
+    def test_the_matrix_is_used_by_keys(self) -> None:
+        self.open("matrix.html")
+        self.on_cell("floor", "falling", "cell.focus()")
+        for key in ("ArrowDown", "ArrowRight", "ArrowDown", "ArrowUp", "End", "Home", "ArrowLeft"):
+            self.browser.press(key)
+        self.assertEqual(self.time(), 0, "the slider does not move")
+        self.assertTrue(self.on_cell("falling", "floor", "document.activeElement === cell"))
+        self.browser.press("Enter")
+        (pair,) = [pair for pair in self.matrix if set(pair["pair"]) == {"falling", "floor"}]
+        self.assertEqual(self.time(), pair["time"])
+        self.browser.press("Enter")
+        self.assertEqual(self.text("#numbers"), "", "a second time ends the choice")
+
+    def test_a_matrix_of_bodies_that_stay_apart(self) -> None:
+        self.open("matrix_clear.html")
+        self.assertEqual(self.text("#verdict"), "Clear")
+        self.assertIn("2 pairs over the whole motion. Proven: all keep 0.19", self.text("#meaning"))
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#matrix .untested').length"), 2)
+        self.browser.evaluate("document.querySelectorAll('#matrix tbody td')[1].click()")  # not tested
+        self.assertEqual(self.text("#numbers"), "")
+        self.browser.evaluate("document.querySelectorAll('#matrix tbody td')[5].click()")
+        self.assertIn("nearest", self.text("#legend"))
+        self.assertAlmostEqual(self.time(), 1)
+        self.assertGreater(count(self.picture("matrix_clear"), is_contact_colour), 60, "the nearest points")
+
+    def test_the_matrix_in_a_narrow_window(self) -> None:
+        self.dark_and_narrow("matrix.html", "matrix_narrow")
+
+    def test_a_page_without_a_matrix_has_no_table(self) -> None:
+        self.open("first.html")
+        self.assertEqual(self.browser.evaluate("document.getElementById('distances').getBoundingClientRect().height"), 0)
 
     def test_a_page_without_a_curve_has_no_room_for_it(self) -> None:
         self.open("first.html")

@@ -20,6 +20,17 @@ export interface RecordedContact extends Nested {
   overlap?: Overlap;
 }
 
+/** How near two bodies come, as an event at this time: the bracket of their distance, {0, 0} if they touch. */
+export interface PairDistance extends RecordedContact {
+  distance: number;
+  distance_upper: number;
+}
+
+/** Whether the event is a least distance above 0. */
+export function isDistance(event: RecordedContact): event is PairDistance {
+  return ((event as PairDistance).distance_upper ?? 0) > 0;
+}
+
 /** What an answer does not look at. */
 export interface Untested {
   tested: number;
@@ -40,6 +51,7 @@ export interface SceneRecord {
   bodies: RecordedBody[];
   events: RecordedContact[]; // in order of time
   curve?: Curve;
+  matrix?: PairDistance[]; // of each tested pair; the contacts of pairs that touch are those of their events
 }
 
 /** The motion of each body, as the page plays it. */

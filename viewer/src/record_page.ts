@@ -9,9 +9,10 @@ import { connectCurve } from "./curve";
 import { byId, element, onClick } from "./elements";
 import { EventList } from "./event_list";
 import { Markers } from "./markers";
+import { MatrixTable, touches } from "./matrix";
 import { type DrawnMesh, drawnMesh } from "./meshes";
 import { Player } from "./player";
-import { type RecordedContact, type SceneRecord, tracksOf } from "./record";
+import { isDistance, type PairDistance, type RecordedContact, type SceneRecord, tracksOf } from "./record";
 import { fillRecordPanel, showEvent } from "./record_panel";
 import { markedPoints } from "./scene";
 import { ballAround, connectSeeThrough, Stage } from "./stage";
@@ -131,7 +132,7 @@ class RecordView {
 
   private addPair(event: RecordedContact): void {
     const [moving, fixed] = event.pair.map((body) => new Body(this.meshes[this.record.bodies[body].mesh], this.tracks[body]));
-    const markers = new Markers(event, this.record.margin, fixed.track.at(event.time));
+    const markers = new Markers(event, isDistance(event) ? event.distance_upper : this.record.margin, fixed.track.at(event.time));
     this.pair = { event, moving, fixed, markers };
     for (const body of [moving, fixed]) {
       body.drawPath(this.stage.whole.center);
@@ -179,7 +180,7 @@ class RecordView {
     return moving.expandByScalar(shownAroundAll * moving.getSize(new Vector3()).length()).intersect(whole);
   }
 
-  /** The corners of both bodies at the contact. Only the near part of a much larger body is shown. */
+  /** The corners of both bodies at the contact or the least distance. Only the near part of a much larger body is shown. */
   private aroundPair({ event, moving, fixed }: Pair): Vector3[] {
     const placed = (point: Vector3, pose: Matrix4) => point.applyMatrix4(pose);
     const points = [moving, fixed].flatMap(({ mesh, track }) => cornersOf(mesh).map((corner) => placed(corner, track.at(event.time))));
@@ -187,7 +188,14 @@ class RecordView {
     const smaller = moving.mesh.surface.boundingSphere!.radius === radius ? moving : fixed;
     const [marked] = markedPoints(event);
     const middle = marked ? new Vector3(...marked) : placed(smaller.mesh.origin.clone(), smaller.track.at(event.time));
-    const near = new Box3().setFromCenterAndSize(middle, new Vector3().setScalar(2 * shownAround * radius));
+    const size = new Vector3().setScalar(2 * shownAround * radius);
+    const near = new Box3().setFromCenterAndSize(middle, size);
+    if (isDistance(event)) {
+      const [nearest] = event.contacts;
+      const other = smaller === moving ? fixed : moving;
+      const end = nearest ? middle.clone().addScaledVector(new Vector3(...nearest.normal), nearest.gap) : placed(other.mesh.origin.clone(), other.track.at(event.time));
+      near.union(new Box3().setFromCenterAndSize(end, size));
+    }
     return points.map((point) => near.clampPoint(point, point));
   }
 }
@@ -230,23 +238,33 @@ export function startRecord(record: SceneRecord): { player: Player; draw: () => 
   const timeText = (time: number) => time.toFixed(decimals);
   let view: RecordView | undefined;
   let isAtEvent = (): boolean => false;
-  const choose = (index: number | undefined) => {
-    const event = index === undefined ? undefined : record.events[index];
+  let chosen: RecordedContact | undefined;
+  const show = (event: RecordedContact | undefined, index?: number) => {
+    chosen = event;
     isAtEvent = () => event !== undefined && player.time === event.time;
     player.stop = event?.time ?? player.span.to;
     markContact(player);
     showEvent(record, event, (point) => view?.choosePoint(point));
     list.select(index);
+    matrix?.select(event?.pair);
     view?.choose(event);
     player.pause();
     player.set(event?.time ?? player.time);
   };
+  const choose = (index: number | undefined) => show(index === undefined ? undefined : record.events[index], index);
+  const choosePair = (pair: PairDistance | undefined) => {
+    const isOfPair = (event: RecordedContact) => event.pair.join() === pair!.pair.join();
+    if (pair && touches(pair)) choose(record.events.findIndex(isOfPair));
+    else show(pair);
+  };
   player.goThrough(true);
   fillRecordPanel(record);
   addTicks(record, player);
-  connectControls(player, () => `time ${timeText(player.time)}${isAtEvent() ? ", contact" : ""}`);
+  const eventText = () => (chosen && isDistance(chosen) ? ", nearest" : ", contact");
+  connectControls(player, () => `time ${timeText(player.time)}${isAtEvent() ? eventText() : ""}`);
   connectCurve(record.curve, player);
   const list = new EventList(record, timeText, choose);
+  const matrix = record.matrix && new MatrixTable(record, timeText, choosePair);
   onClick("previous", () => list.step(-1));
   onClick("next", () => list.step(1));
   addEventListener("keydown", ({ key }) => key === "Escape" && choose(undefined));

@@ -1,7 +1,8 @@
 // The words and numbers of a page of many bodies.
 import { contactList, cutNote, insideSection, overlapName } from "./contact_details";
 import { byId, element, table } from "./elements";
-import { pairText, type RecordedContact, type SceneRecord, type Untested } from "./record";
+import { isOpen, touches } from "./matrix";
+import { isDistance, type PairDistance, pairText, type RecordedContact, type SceneRecord, type Untested } from "./record";
 import { drawnText } from "./scene";
 import { unpackedNumbers } from "./track";
 
@@ -14,8 +15,27 @@ function isLater({ events, times }: SceneRecord): boolean {
   return events[0].time_upper > unpackedNumbers(times)[0];
 }
 
+/** Of the least distances of all pairs. */
+function matrixVerdict(pairs: PairDistance[]): string {
+  const [touching, open] = [touches, isOpen].map((holds) => pairs.filter(holds).length);
+  if (touching > 0) return counted(touching, "pair touches", "pairs touch");
+  return open > 0 ? counted(open, "pair in doubt", "pairs in doubt") : "Clear";
+}
+
+function matrixMeaning(pairs: PairDistance[]): string {
+  const apart = pairs.filter((pair) => !touches(pair));
+  const open = apart.filter(isOpen).length;
+  const rough = apart.filter(({ certain }) => !certain).length;
+  const least = apart.reduce((least, { distance }) => Math.min(least, distance), Infinity);
+  const text = `${counted(pairs.length, "pair", "pairs")} over the whole motion.`;
+  if (open > 0) return `${text} Of ${open.toLocaleString("en")} it is not proven that they stay apart.`;
+  const doubt = rough > 0 ? ` ${counted(rough, "distance is", "distances are")} wider than asked.` : "";
+  return apart.length === 0 ? text : `${text} Proven: all ${apart.length < pairs.length ? "others " : ""}keep ${least}.${doubt}`;
+}
+
 function verdict(record: SceneRecord): string {
-  const { source, events } = record;
+  const { source, events, matrix } = record;
+  if (matrix) return matrixVerdict(matrix);
   if (source === "recording") return events.length === 0 ? "Recording" : counted(events.length, "contact", "contacts");
   if (events.length === 0) return "Clear";
   if (source === "all_contacts") return counted(events.length, "pair touches", "pairs touch");
@@ -34,7 +54,8 @@ function limitText({ until }: SceneRecord): string {
 }
 
 function meaning(record: SceneRecord): string {
-  const { source, events, margin, clear_until } = record;
+  const { source, events, margin, clear_until, matrix } = record;
+  if (matrix) return matrixMeaning(matrix);
   const touch = margin > 0 ? `comes within ${margin}` : "touches";
   const interpolated = "Between the recorded times the motion is interpolated.";
   if (source === "recording") return events.length === 0 ? `No contacts were recorded. ${interpolated}` : interpolated;
@@ -63,7 +84,8 @@ export function fillRecordPanel(record: SceneRecord): void {
   const { bodies, events } = record;
   const root = document.documentElement;
   root.classList.add("is-record");
-  root.classList.toggle("is-clear", events.length === 0);
+  root.classList.toggle("is-clear", record.matrix ? matrixVerdict(record.matrix) === "Clear" : events.length === 0);
+  root.classList.toggle("has-matrix", record.matrix !== undefined);
   root.classList.toggle("has-no-events", events.length === 0);
   document.title = `${record.title} \u2013 Chasles`;
   byId("title").textContent = record.title;
@@ -73,10 +95,15 @@ export function fillRecordPanel(record: SceneRecord): void {
   byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}${untestedText(record)}${drawnText(record.meshes, bodies)}`;
 }
 
+function distanceRows(event: RecordedContact): [string, number][] {
+  return isDistance(event) ? [["distance from", event.distance], ["to", event.distance_upper]] : [];
+}
+
 function timeRows({ source }: SceneRecord, event: RecordedContact): [string, string | number][] {
   const isBracket = source !== "recording" || event.time_upper > event.time;
   const times: [string, number][] = isBracket ? [["time from", event.time], ["to", event.time_upper]] : [["time", event.time]];
-  return [...times, ["certain", event.certain ? "yes" : "no: the bodies may just miss each other"]];
+  const doubt = isDistance(event) ? "no: the bracket is wider than asked" : "no: the bodies may just miss each other";
+  return [...distanceRows(event), ...times, ["certain", event.certain ? "yes" : doubt]];
 }
 
 /** Shows the numbers of a contact. `choose` receives the index of the point whose entry is open. */
@@ -92,7 +119,9 @@ export function showEvent(record: SceneRecord, event: RecordedContact | undefine
   const kind: [string, string][] = event.kind ? [["kind", event.kind]] : [];
   section(pairText(record, event), table([...timeRows(record, event), ...kind]));
   const { contacts, overlap } = event;
-  if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
+  byId("contact-name").textContent = isDistance(event) ? "nearest" : "contact";
+  const one = isDistance(event) ? "Nearest" : "Contact";
+  if (contacts.length > 0) section(contacts.length === 1 ? one : `${contacts.length} contacts`, ...contactList(contacts, choose));
   numbers.append(...cutNote(event));
   if (overlap) section("Overlap", element("div", overlapName(overlap)), table([["point", overlap.point]]));
   for (const parts of insideSection(event)) section(...parts);
