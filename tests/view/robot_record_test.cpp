@@ -52,7 +52,7 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
             const Robot robot(shaft_with_wheel(factor));
             const double angle = std::min({turns * turn, 900.0, 1900 / std::abs(factor)}); // within the limits of paths
             const view::SceneRecord record =
-                view::robot_record(robot, nullptr, turning(robot, angle), answer_of(Verdict::clear));
+                view::robot_record(robot, nullptr, {turning(robot, angle), answer_of(Verdict::clear)});
             ASSERT_EQ(record.bodies.size(), 2U);
             EXPECT_GE(double(record.bodies[1].times.size()), angle * std::abs(1 + factor) / 1.6);
             for (const view::RecordedBody& body : record.bodies)
@@ -65,7 +65,7 @@ TEST(RobotRecord, IsAnAnswer) {
     const Robot robot(shaft_with_wheel(1));
     RobotAnswer answer = answer_of(Verdict::clear);
     answer.clear_until = 1;
-    const view::SceneRecord record = view::robot_record(robot, nullptr, turning(robot, 0.1), answer);
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {turning(robot, 0.1), answer});
     EXPECT_EQ(record.source, view::RecordSource::first_contact);
     EXPECT_EQ(record.clear_until, 1);
 }
@@ -100,7 +100,7 @@ TEST(RobotRecord, LinksHaveAsManyPosesAsTheyNeed) {
     for (int i = 0; i <= rows; ++i)
         way.emplace_back(Eigen::Vector3d(0, 0.01 * i, i < rows ? 0.002 * i : 0.002 * i + 1));
     const JointPath path = JointPath::straight(robot, way);
-    const view::SceneRecord record = view::robot_record(robot, nullptr, path, answer_of(Verdict::clear));
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {path, answer_of(Verdict::clear)});
     EXPECT_NO_THROW(view::require_valid(record));
     EXPECT_EQ(record.bodies[0].poses.size(), 1U) << "the shaft rests";
     EXPECT_EQ(record.bodies[1].poses.size(), rows + 1U) << "the wheel slides";
@@ -130,7 +130,7 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     world.add({"post", box, Motion::at_rest(test::shifted(90, 0, 0))});
     RobotAnswer answer = answer_of(Verdict::contact);
     answer.time = {0.7, 0.7};
-    const view::SceneRecord record = view::robot_record(robot, &world, turning(robot, 0.1), answer);
+    const view::SceneRecord record = view::robot_record(robot, &world, {turning(robot, 0.1), answer});
     EXPECT_NO_THROW(view::require_valid(record));
     const view::RecordedBody &fan = record.bodies[2], &post = record.bodies[3];
     EXPECT_EQ(post.poses.size(), 1U);
