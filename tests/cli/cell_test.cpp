@@ -25,8 +25,9 @@ protected:
         write("lower.csv", "t,x\n0,0\n1,1\n3,-1\n");
         write("upper.csv", "t,x\n1,1\n2,5\n");
         write("rest.csv", "x\n1\n");
-        write("small.off", "OFF\n8 6 0\n-.1 -.1 -.1\n.1 -.1 -.1\n.1 .1 -.1\n-.1 .1 -.1\n-.1 -.1 .1\n.1 -.1 .1\n.1 .1 .1\n"
-                           "-.1 .1 .1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+        write("small.off",
+              "OFF\n8 6 0\n-.1 -.1 -.1\n.1 -.1 -.1\n.1 .1 -.1\n-.1 .1 -.1\n-.1 -.1 .1\n.1 -.1 .1\n.1 .1 .1\n"
+              "-.1 .1 .1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
         write("wall.json", R"({"bodies": [{"name": "wall", "mesh": "cube.obj", "pose": [3, -0.5, -0.2]}]})");
     }
     [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
@@ -86,9 +87,10 @@ TEST_F(CellCommand, RefusesWhatNamesNoRobot) {
     EXPECT_EQ(refused(both + "--base upper=1 " + paths).substr(0, 15), "chasles: --base");
     EXPECT_EQ(refused(both + paths + cube + "--handover 1,small"),
               "chasles: --handover: '1,small' is not of the form TIME,PART,LINK\n");
-    EXPECT_EQ(refused(both + paths + cube + "--handover 1.5,small,upper/hand"),
-              "chasles: handover 0: no segment of the path ends at the stamp 1.5, or it is the last one; segments end at "
-              "1, 2\n");
+    EXPECT_EQ(
+        refused(both + paths + cube + "--handover 1.5,small,upper/hand"),
+        "chasles: handover 0: no segment of the path ends at the stamp 1.5, or it is the last one; segments end at "
+        "1, 2\n");
 }
 
 } // namespace
