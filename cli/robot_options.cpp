@@ -79,7 +79,7 @@ std::map<std::string, std::string> values_by_robot(const char* option, const std
         const auto [name, value] =
             names.size() == 1 ? std::pair(names.front(), text) : name_and_value(option, text, "NAME=VALUE");
         if (std::ranges::find(names, name) == names.end())
-            throw InvalidInput(std::string(option) + ": " + io::in_quotes(name) + " is no robot; there are " +
+            throw InvalidInput(std::string(option) + ": there is no robot " + io::in_quotes(name) + ", only " +
                                io::shown_names(names));
         if (!values.emplace(name, value).second)
             throw InvalidInput(std::string(option) + ": is given twice" + (name.empty() ? "" : " for " + name));

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 #include "chasles/motion/screw_path.h"
+#include "chasles/robot/segment_pairs.h"
 
 #include <algorithm>
 #include <set>
@@ -74,6 +75,7 @@ Stretches::Stretches(const Prepared& prepared, const JointPath& path, std::span<
     : given_(prepared), untested_(prepared.untested) {
     if (handovers.empty())
         return;
+    const SegmentPairs first(prepared, path, 0); // refuses a path of another robot
     Model model = prepared.model();
     for (std::size_t i = 0; i < handovers.size(); ++i) {
         check(model, i, handovers[i]);

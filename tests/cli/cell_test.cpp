@@ -53,7 +53,7 @@ TEST_F(CellCommand, EachRobotHasAClockOfItsOwn) {
 }
 
 TEST_F(CellCommand, APartChangesHands) {
-    EXPECT_EQ(json(both + paths + cube)["pair"], nlohmann::json({"upper/hand", "small"}));
+    EXPECT_EQ(json(both + paths + cube)["pair"], nlohmann::json({"small", "upper/hand"}));
     const std::string taken = both + paths + cube + "--handover 1,small,upper/hand ";
     EXPECT_EQ(run(taken).status, 0);
     EXPECT_EQ(run(taken + "--profile").status, 0);
@@ -78,7 +78,7 @@ TEST_F(CellCommand, RefusesWhatNamesNoRobot) {
               "chasles: --path: is needed for the 1 variable of the robot upper: x\n");
     EXPECT_EQ(refused(both + "--path lower.csv"), "chasles: --path: 'lower.csv' is not of the form NAME=VALUE\n");
     EXPECT_EQ(refused(both + paths + "--path left=lower.csv"),
-              "chasles: --path: 'left' is no robot; there are 'lower' and 'upper'\n");
+              "chasles: --path: there is no robot 'left', only 'lower, upper'\n");
     EXPECT_EQ(refused(both + paths + "--path lower=upper.csv"), "chasles: --path: is given twice for lower\n");
     EXPECT_EQ(refused(both + "--path lower=rest.csv --path upper=rest.csv"),
               "chasles: path: no robot of the cell has a path: for a cell at rest, JointPath::straight takes its "

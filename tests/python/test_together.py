@@ -69,7 +69,7 @@ def test_each_robot_has_a_clock_of_its_own(cell, path):
 
 
 def test_a_part_changes_hands(cell, path):
-    assert cell.first_contact_on_path(path).pair == ("upper/hand", "cube")
+    assert cell.first_contact_on_path(path).pair == ("cube", "upper/hand")
     assert cell.first_contact_on_path(path, handovers=TAKEN).verdict == "clear"
     found = cell.first_contact_on_path(path, scene=wall(3), handovers=TAKEN)
     assert found.verdict == "contact" and found.segment == 1

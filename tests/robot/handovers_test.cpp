@@ -172,6 +172,9 @@ TEST(Handovers, RefuseWhatDoesNotFit) {
     EXPECT_EQ(refused({{1, "cube", "upper/hand", {"thumb"}}}), "handover 0: thumb is no other link or part");
     EXPECT_EQ(refused({{2, "cube", "upper/hand"}, {1, "cube", "lower/hand"}}),
               "handover 1: its stamp is earlier than that of the one before");
+    const JointPath of_other = JointPath::straight(e.lower, std::array{Exchange::at(0), Exchange::at(1)});
+    EXPECT_EQ(refusal([&] { (void)checker.first_contact(of_other, std::array{e.taken}); }),
+              "path: belongs to a robot with another number of variables");
     const JointPath edge = JointPath::straight(e.cell, std::array{e.cell.neutral(), e.cell.neutral()});
     EXPECT_EQ(
         refusal([&] { (void)checker.profile(edge, {}, std::array{e.taken}); }),

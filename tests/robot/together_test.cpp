@@ -189,6 +189,28 @@ TEST(RobotTogether, ARobotAnswersTheSameBesideOneThatIsFarAway) {
     EXPECT_GT(contacts, 10);
 }
 
+/// Elsewhere in the world the base is one more factor, which rounding does not cancel to the last bit.
+TEST(RobotTogether, ARobotAnswersTheSameElsewhereUpToRounding) {
+    Random random(4204);
+    int contacts = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        Robot robot(random_robot(random, 6, trial % 4 == 0));
+        const Configuration start = random_configuration(random, robot), goal = random_configuration(random, robot);
+        const RobotAnswer alone = RobotChecker(robot).first_contact(start, goal);
+        robot.set_base(random_pose(random, 5));
+        const Robot cell = Robot::together({{"a", robot}, {"b", hinge(0.01, 0.001)}});
+        const RobotAnswer found = RobotChecker(cell).first_contact(
+            JointPath::together(cell, {{"a", JointPath::straight(robot, std::array{start, goal})},
+                                       {"b", Configuration::Constant(1, 0.5)}}));
+        if (found.pair && (found.pair->first.starts_with("b/") || found.pair->second.starts_with("b/")))
+            continue; // the small one is in the way
+        EXPECT_EQ(found.verdict, alone.verdict);
+        EXPECT_NEAR(found.time.lower, alone.time.lower, 1e-11);
+        contacts += alone.verdict == Verdict::contact;
+    }
+    EXPECT_GT(contacts, 5);
+}
+
 /// Bases stand still whatever joints do: they are counted, not tested. All other links of two robots are tested.
 TEST(RobotTogether, LinksOfDifferentRobotsAreTestedUnlessBothStandStill) {
     Robot other = hinge(1, 0.1);
