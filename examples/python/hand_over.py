@@ -11,7 +11,7 @@ import numpy as np
 
 import chasles
 
-UPPER, LOWER, HAND = 0.5, 0.45, 0.12  # lengths from joint to joint, and to the middle of the bar
+UPPER, LOWER, HAND = 0.5, 0.45, 0.15  # lengths from joint to joint, and to the middle of the bar
 
 
 def box(x: float, y: float, z: float) -> chasles.Polyhedron:
@@ -27,15 +27,26 @@ def bar(name: str, length: float) -> dict:
 
 
 def joint(name: str, parent: str, child: str, along: float) -> dict:
-    limits = {"lower": -np.pi, "upper": np.pi, "axis": [0, 0, 1]}
-    return {"name": name, "type": "revolute", "parent": parent, "child": child, "origin": [along, 0, 0, 1, 0, 0, 0]} | limits
+    return {
+        "name": name, "type": "revolute", "parent": parent, "child": child, "origin": [along, 0, 0, 1, 0, 0, 0],
+        "axis": [0, 0, 1], "lower": -np.pi, "upper": np.pi,
+    }  # fmt: skip
 
 
 def arm() -> chasles.Robot:
     return chasles.Robot(
         name="arm",
-        links=[{"name": "base", "collisions": [box(0.1, 0.1, 0.1)]}, bar("upper", UPPER), bar("lower", LOWER), bar("hand", 0.1)],
-        joints=[joint("shoulder", "base", "upper", 0), joint("elbow", "upper", "lower", UPPER), joint("wrist", "lower", "hand", LOWER)],
+        links=[
+            {"name": "base", "collisions": [box(0.1, 0.1, 0.1)]},
+            bar("upper", UPPER),
+            bar("lower", LOWER),
+            bar("hand", 0.1),
+        ],
+        joints=[
+            joint("shoulder", "base", "upper", 0),
+            joint("elbow", "upper", "lower", UPPER),
+            joint("wrist", "lower", "hand", LOWER),
+        ],
     )
 
 
@@ -53,7 +64,7 @@ def reach(x: float, y: float, angle: float, bend: float) -> list[float]:
 
 # %%
 left, right = arm(), arm()
-right.set_base([1.6, 0, 0, 0, 0, 0, 1])
+right.set_base([1.6, 0, 0.01, 0, 0, 0, 1])
 cell = chasles.Robot.together({"left": left, "right": right})
 cell.attach("bar", "world", box(0.16, 0.04, 0.04), [0, 0.75, 0, 0.5**0.5, 0, 0, 0.5**0.5])
 scene = chasles.Scene()
@@ -68,7 +79,7 @@ MIDDLE = 0.8, 0.3
 take, give = reach(0, 0.75, np.pi / 2, 1), reach(*MIDDLE, 0, 1)
 aside = reach(0.3, -0.5, -np.pi / 2, 1)
 catch, put = reach(1.6 - MIDDLE[0], -MIDDLE[1], 0, -1), reach(0, -0.75, -np.pi / 2, -1)  # the right arm is turned by pi
-away = reach(0.4, 0.6, np.pi / 2, -1)
+away = reach(0.85, -0.3, -np.pi / 2, -1)
 of_left = chasles.JointPath.straight(left, [aside, take, give, aside], [0, 1, 3, 4.4])
 of_right = chasles.JointPath.straight(right, [away, catch, put, away], [1.7, 3, 5, 6])
 path = chasles.JointPath.together(cell, {"left": of_left, "right": of_right})
@@ -88,12 +99,14 @@ print("the least distance is", profile.lower.min())
 
 # %% [markdown]
 # ## A clock that is wrong
-# If the right arm starts a second early, it waits for nobody.
+# If the right arm starts a second late, its hand is in the way of the left one.
 
 # %%
-early = chasles.JointPath.straight(right, [away, catch, put, away], [0.7, 2, 5, 6])
-mixed = chasles.JointPath.together(cell, {"left": of_left, "right": early})
-print("early:", cell.first_contact_on_path(mixed, scene=scene, handovers=handovers))
+late = chasles.JointPath.straight(right, [away, catch, put, away], [2.7, 4, 5, 6])
+mixed = chasles.JointPath.together(cell, {"left": of_left, "right": late})
+wrong = cell.first_contact_on_path(mixed, scene=scene, handovers=handovers)
+print("late:", wrong)
+assert wrong.verdict == "contact" and wrong.certain and wrong.time < 3
 
 # %% [markdown]
 # ## The picture
@@ -104,35 +117,39 @@ if len(sys.argv) > 1:
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplot_mosaic("abcde;fffff", figsize=(13, 5.5), height_ratios=(1.6, 1))
-    OUTLINE = np.array([[0, -0.03], [1, -0.03], [1, 0.03], [0, 0.03]])
+    def fill(axis, pose: np.ndarray, box_2d: tuple[float, float, float], colour: str) -> None:
+        """From x to x + length, across by width."""
+        x, length, width = box_2d
+        corners = np.array([[x, -width / 2], [x + length, -width / 2], [x + length, width / 2], [x, width / 2]])
+        axis.fill(*(corners @ pose[:2, :2].T + pose[:2, 3]).T, facecolor=colour, edgecolor="0.3")
+
+    def place_of_bar(time: float) -> np.ndarray:
+        carried = [("world", 0), *((link, stamp) for stamp, _, link in handovers if stamp <= time)]
+        place = cell.link_pose("world", path.at(0)) @ START
+        for (before, _), (link, stamp) in zip(carried, carried[1:]):
+            at = path.at(stamp)
+            place = np.linalg.inv(cell.link_pose(link, at)) @ cell.link_pose(before, at) @ place
+        return cell.link_pose(carried[-1][0], path.at(time)) @ place
+
+    START = np.eye(4)
+    START[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    START[1, 3] = 0.75
 
     def draw(axis, time: float) -> None:
         poses = cell.link_poses(path.at(time))
-        for name, length, colour in (("upper", UPPER, "0.75"), ("lower", LOWER, "0.6"), ("hand", 0.1, "0.3")):
-            for robot, tint in (("left", "tab:blue"), ("right", "tab:orange")):
-                pose = poses[f"{robot}/{name}"]
-                corners = OUTLINE * [length, 1] @ pose[:2, :2].T + pose[:2, 3]
-                axis.fill(*corners.T, facecolor=tint if name == "hand" else colour, edgecolor=tint)
-        carriers = [link for stamp, _, link in [(-1, "bar", "world"), *handovers] if stamp <= time]
-        middle, turn = {"world": ([0, 0.75], 0) if time < 1 else ([1.6, 0.75], 0)}.get(carriers[-1], (None, None))
-        if middle is None:
-            hand = poses[carriers[-1]]
-            middle, turn = (hand @ [HAND, 0, 0, 1])[:2], hand[:2, :2]
-        else:
-            turn = np.array([[0, -1], [1, 0]])
-        corners = np.array([[-0.08, -0.02], [0.08, -0.02], [0.08, 0.02], [-0.08, 0.02]]) @ np.asarray(turn).T + middle
-        axis.fill(*corners.T, color="tab:red", zorder=3)
+        for robot, colour in (("left", "tab:blue"), ("right", "tab:orange")):
+            for name, length in (("upper", UPPER), ("lower", LOWER), ("hand", 0.1)):
+                fill(axis, poses[f"{robot}/{name}"], (0, length, 0.06), colour)
+        fill(axis, place_of_bar(time), (-0.08, 0.16, 0.04), "tab:red")
         axis.add_patch(plt.Circle((0.8, -0.35), 0.05, color="0.4"))
         axis.set(aspect="equal", xlim=(-0.75, 2.35), ylim=(-0.95, 1.15), title=f"time {time:g}", xticks=[], yticks=[])
 
     for label, time in zip("abcde", (0.5, 2.0, 3.0, 4.2, 5.5)):
         draw(axes[label], time)
-    axes["f"].step(profile.times, profile.upper, where="post", label="upper bound")
-    axes["f"].step(profile.times, profile.lower, where="post", label="lower bound")
+    axes["f"].fill_between(profile.times, profile.lower, profile.upper, step="post", color="tab:blue")
     for time, _, link in handovers:
         axes["f"].axvline(time, color="tab:red", linewidth=1)
         axes["f"].text(time, axes["f"].get_ylim()[1], f" {link}", va="top", color="tab:red")
     axes["f"].set(xlabel="time", ylabel="nearest pair [m]", ylim=(0, None))
-    axes["f"].legend(loc="center right")
     figure.tight_layout()
     figure.savefig(sys.argv[1], dpi=120)

@@ -208,7 +208,7 @@ void bind_joint_path(nb::module_& module) {
                     "(powers, segments, variables)\n    The highest power first; of the time since the begin of the "
                     "segment.\n\nRaises\n------\nInvalidInput\n    For floating joints, wrong shapes, and a segment "
                     "that does not begin where the one before ends (1e-9 of the sizes).")
-        .def_static("together", paths_together, "cell"_a, "paths"_a,
+        .def_static("together", paths_together, "cell"_a, "paths"_a.none(),
                     nb::sig("def together(cell: Robot, paths: collections.abc.Mapping[str, JointPath | "
                             "numpy.typing.ArrayLike]) -> JointPath"),
                     doc("JointPath.together"))

@@ -148,7 +148,7 @@ void bind_profile(nb::class_<PythonRobot>& robot) {
         },
         "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
         nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = 1e-2, "absolute_tolerance"_a = 0.0,
-        "margins"_a = nb::make_tuple(), "time_tolerance"_a = 1e-6, "handovers"_a = nb::make_tuple(),
+        "margins"_a = nb::make_tuple(), "time_tolerance"_a = 1e-6, "handovers"_a.none() = nb::make_tuple(),
         nb::sig("def profile(self, configurations: numpy.typing.ArrayLike | JointPath, "
                 "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                 "accelerations: numpy.typing.ArrayLike | None = None, *, scene: Scene | None = None, "

@@ -305,7 +305,7 @@ void bind_robot(nb::module_& module) {
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
             "accelerations"_a = nb::none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
             "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
-            "handovers"_a = nb::make_tuple(),
+            "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION

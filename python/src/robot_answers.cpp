@@ -270,7 +270,7 @@ void bind_robot_answers(nb::module_& module) {
                 return answer_on_path(checker, {configurations, times, velocities, accelerations, handovers});
             },
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
-            "accelerations"_a = nb::none(), nb::kw_only(), "handovers"_a = nb::make_tuple(),
+            "accelerations"_a = nb::none(), nb::kw_only(), "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, *, " CHASLES_HANDOVERS ") -> RobotContact"),
@@ -288,7 +288,7 @@ void bind_robot_answers(nb::module_& module) {
             },
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
             "accelerations"_a = nb::none(), "tolerance"_a = default_tolerance, nb::kw_only(),
-            "handovers"_a = nb::make_tuple(),
+            "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6, "

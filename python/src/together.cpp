@@ -80,7 +80,7 @@ std::vector<Handover> handovers_from(const PathArguments& arguments) {
 }
 
 void bind_together(nb::class_<PythonRobot>& type) {
-    type.def_static("together", together, "robots"_a,
+    type.def_static("together", together, "robots"_a.none(),
                     nb::sig("def together(robots: collections.abc.Mapping[str, Robot]) -> Robot"),
                     doc("Robot.together"));
 }

@@ -28,7 +28,7 @@ Robot panda_at(const Pose& base) {
 /// Each robot alone, and both in one cell.
 struct TwoPandas {
     Robot left = panda_at({});
-    Robot right = panda_at(Pose({0.9, 0.1, 0}, {0, 0, 0, 1})); // it looks back
+    Robot right = panda_at(Pose({0.8, 0.1, 0}, {0, 0, 0, 1})); // it looks back
     Robot cell = Robot::together({{"left", left}, {"right", right}});
     RobotChecker of_left{left}, of_right{right}, of_cell{cell};
     bench::FclRobot peer_of_left{left, {}}, peer_of_right{right, {}}, peer{cell, {}};
@@ -43,7 +43,7 @@ struct TwoPandas {
 };
 
 /// Through some configurations near the first one, which is clear, with stamps of its own; a spline now and then.
-JointPath wandering(Random& random, const RobotChecker& checker) {
+JointPath any_path(Random& random, const RobotChecker& checker) {
     const Robot& robot = checker.robot();
     const auto near = [&](const Configuration& middle, double most) {
         Configuration values = middle;
@@ -64,6 +64,16 @@ JointPath wandering(Random& random, const RobotChecker& checker) {
         stamps.push_back(stamps.back() + random.uniform(0.2, 1.5));
     }
     return random.chance(0.3) ? JointPath::natural_spline(robot, stamps, way) : JointPath::straight(robot, way, stamps);
+}
+
+/// The robot does not touch itself on most paths.
+JointPath wandering(Random& random, const RobotChecker& checker) {
+    const bool is_any = random.chance(0.2);
+    while (true) {
+        JointPath path = any_path(random, checker);
+        if (is_any || checker.first_contact(path).verdict == Verdict::clear)
+            return path;
+    }
 }
 
 struct CellFigures {

@@ -84,11 +84,12 @@ def test_a_part_changes_hands(cell, path):
     assert profile.lower.min() == pytest.approx(0.1, rel=0.02)
 
 
-def test_touch_links_are_not_tested(cell, path):
-    scene = wall(3)
-    touching = [(1, "cube", "upper/hand", ["lower/rail"])]
-    assert cell.first_contact_on_path(path, scene=scene, handovers=touching).verdict == "contact"
-    assert [pair.first for pair in cell.first_contact_on_path(path, handovers=TAKEN).untested.named] != []
+def test_links_that_touch_the_part_are_not_tested(cell, path):
+    untested = cell.first_contact_on_path(path, handovers=TAKEN).untested
+    assert ("upper/hand", "cube", "ignored") in untested.named
+    cell.attach("finger", "upper/hand", chasles.Polyhedron(*box(0.05)), [0, 0, -0.2, 1, 0, 0, 0])  # in the cube's way
+    assert cell.first_contact_on_path(path, handovers=TAKEN).pair == ("finger", "cube")
+    assert cell.first_contact_on_path(path, handovers=[(*TAKEN[0], ["finger"])]).verdict == "clear"
 
 
 def test_cells_and_paths_are_pickled(cell, path):

@@ -141,5 +141,27 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     EXPECT_LE((last - world.bodies()[0].motion.pose_at(0.7).translation).norm(), 1e-12);
 }
 
+/// A part is on the shaft for a quarter of a turn, then on the base, and on the wheel at last.
+TEST(RobotRecord, APartChangesHandsWhereItIs) {
+    Robot robot(shaft_with_wheel(1));
+    robot.attach({"part", "shaft", test::box({0.1, 0.1, 0.1}).polyhedron(), test::shifted(0, 2, 0)});
+    std::vector<Configuration> way;
+    for (const double angle : {0.0, 0.25, 0.5, 1.0})
+        way.emplace_back(Configuration::Constant(1, angle * turn));
+    const JointPath path = JointPath::straight(robot, way);
+    RobotAnswer answer = answer_of(Verdict::clear);
+    const std::vector<Handover> handovers{{1, "part", "base"}, {2, "part", "wheel"}};
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {path, answer, handovers});
+    const view::RecordedBody& part = record.bodies[1];
+    ASSERT_EQ(part.name, "part");
+    const auto place = [&](double time) -> Eigen::Vector3d { return shown_at(part, time).translation(); };
+    // joints turn about x; the wheel turns twice as far as the shaft
+    EXPECT_LT((place(0) - Eigen::Vector3d(0, 2, 0)).norm(), 1e-12);
+    for (const double time : {1.0, 1.3, 2.0})
+        EXPECT_LT((place(time) - Eigen::Vector3d(0, 0, 2)).norm(), 1e-2) << time;
+    EXPECT_LT((place(3) - Eigen::Vector3d(0, 0, 2)).norm(), 1e-12) << "a whole turn of the wheel";
+    EXPECT_LT((place(2.5) - Eigen::Vector3d(0, 0, -2)).norm(), 1e-2) << "half a turn of the wheel";
+}
+
 } // namespace
 } // namespace chasles
