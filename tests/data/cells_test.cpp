@@ -130,7 +130,7 @@ TEST(Cells, TwoPandasOnClocksOfTheirOwnAgreeWithDenseSamples) {
         f.wrong, f.clear, f.between, f.alone, f.at_start, f.uncertain, f.confirmed, 1e3 * f.seconds / paths,
         f.of_clear / f.of_one);
     EXPECT_EQ(f.wrong, 0);
-    EXPECT_GT(f.between, paths / 10);
+    EXPECT_GT(f.between, paths / 20);
     EXPECT_GT(f.clear, paths / 10);
     EXPECT_GE(f.confirmed, contacts * 0.99 - 1);
     EXPECT_LE(f.uncertain, 1 + contacts / 100);
