@@ -37,7 +37,7 @@ std::string joints_line(const Robot& robot, const Configuration& values) {
 /// The lines after the contact. `Found` is RobotAnswer or RobotClearance.
 template <typename Found>
 std::string report_path(const RobotQuestion& question, const Found& found) {
-    const std::size_t segments = question.rows.configurations.size() - 1;
+    const std::size_t segments = question.path.segments().size();
     return labelled("path",
                     fmt::format("{}, {} searched", counted(segments, "segment"), counted(found.pairs, "pair"))) +
            report(found.work);
@@ -45,8 +45,8 @@ std::string report_path(const RobotQuestion& question, const Found& found) {
 
 ProvenPath proven_path(const RobotQuestion& question, const RobotAnswer& found, const FirstContact& shown) {
     ProvenPath proven{found.segment, shown.clear_until, {}};
-    if (question.has_stamps())
-        proven.stamp = question.rows.stamps[found.segment];
+    if (question.has_stamps)
+        proven.stamp = question.path.segments()[found.segment].begin;
     return proven;
 }
 
@@ -65,8 +65,8 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
-    const std::string why = view::why_uncertain(shown, found.segment + 2 == question.rows.configurations.size());
-    if (question.has_stamps()) {
+    const std::string why = view::why_uncertain(shown, found.segment + 1 == question.path.segments().size());
+    if (question.has_stamps) {
         shown.time = found.time;
         shown.clear_until = found.clear_until;
     }
@@ -84,7 +84,7 @@ std::string robot_report(const RobotQuestion& question, const RobotClearance& fo
                              motion_name) +
                report(*found.untested) + report_path(question, found);
     LeastDistance shown = found.nearest;
-    if (question.has_stamps())
+    if (question.has_stamps)
         shown.time = found.time;
     return headline(shown, motion_name, time_was_over) + report(*found.untested) +
            report_pair(*found.pair, found.segment) + report_least(shown, time_was_over) +
@@ -105,14 +105,14 @@ std::string with_motion(view::Json answer, const RobotQuestion& question) {
 }
 
 std::string answer_json(const RobotQuestion& question, const RobotAnswer& found, const std::vector<RobotPair>& others) {
-    view::Json answer = view::robot_answer_json(question.robot, found, question.has_stamps());
+    view::Json answer = view::robot_answer_json(question.robot, found, question.has_stamps);
     for (const RobotPair& pair : others)
         answer["also"].push_back({pair.first, pair.second});
     return with_motion(std::move(answer), question);
 }
 
 std::string clearance_json(const RobotQuestion& question, const RobotClearance& found, ExitStatus status) {
-    view::Json answer = view::robot_clearance_json(question.robot, found, question.has_stamps());
+    view::Json answer = view::robot_clearance_json(question.robot, found, question.has_stamps);
     if (status == is_unknown)
         answer["verdict"] = view::name_of(Verdict::unknown);
     return with_motion(std::move(answer), question);
@@ -127,22 +127,23 @@ auto of_files(const RobotCommand& options, const Ask& ask) {
         const std::string why = error.what();
         if (!why.starts_with("robot: "))
             throw;
-        const std::string path = options.path.empty() ? "" : io::one_line(options.path) + ": ";
+        const std::string path = options.paths.size() != 1 ? "" : io::one_line(options.paths.front()) + ": ";
         throw InvalidInput((options.scene.empty() ? "" : io::one_line(options.scene) + ": ") + path + why);
     }
 }
 
 int run_clearance(const RobotCommand& options) {
     RobotQuestion question = read_question(options);
-    const JointPath path = path_of(question);
+    const JointPath& path = question.path;
     const Limit limit(seconds_of(options.query.seconds));
     LeastDistanceOptions asked{.time_tolerance = question.options.time_tolerance, .find = question.options.find};
     if (!options.tolerance.empty())
         asked.tolerance = number_of("--tolerance", options.tolerance);
-    RobotClearance found =
-        of_files(options, [&] { return RobotChecker(question.robot, question.world()).least_distance(path, asked); });
+    RobotClearance found = of_files(options, [&] {
+        return RobotChecker(question.robot, question.world()).least_distance(path, asked, question.handovers);
+    });
     warn_if_untested(*found.untested, question.warnings);
-    if (question.has_stamps())
+    if (question.has_stamps)
         view::count_in_stamps(found.nearest.contacts, view::duration_of(path, found.segment));
     const bool time_was_over = !found.certain && limit.is_over();
     const ExitStatus status = status_of(found.distance, time_was_over);
@@ -154,11 +155,12 @@ int run_clearance(const RobotCommand& options) {
 int run_profile(const RobotCommand& options) {
     ProfileRequest request(options.profile, options.tolerance);
     RobotQuestion question = read_question(options);
-    const JointPath path = path_of(question);
     request.open_files();
     const Limit limit(seconds_of(options.query.seconds));
-    RobotProfile answer = of_files(
-        options, [&] { return RobotChecker(question.robot, question.world()).profile(path, request.options()); });
+    RobotProfile answer = of_files(options, [&] {
+        return RobotChecker(question.robot, question.world())
+            .profile(question.path, request.options(), question.handovers);
+    });
     warn_if_untested(*answer.untested, question.warnings);
     NamedProfile found{std::move(answer.distance), {}};
     for (const RobotPair& pair : answer.pairs)
@@ -191,12 +193,13 @@ RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& questi
 void write_page(OutputFile& page, const RobotCommand& options, const RobotQuestion& question, const JointPath& path,
                 const RobotAnswer& found, std::optional<view::Curve> curve) {
     std::optional<ProgressBar> bar(std::in_place, "segments of the page", found.segment + 1);
-    view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found,
+    view::SceneRecord record = view::robot_record(question.robot, question.world(), {path, found, question.handovers},
                                                   [&](std::size_t segments) { bar->show(segments); });
     bar.reset();
     record.margin = question.options.margin;
     record.curve = std::move(curve);
-    record.title = std::filesystem::path(options.robot.urdf).filename().string();
+    for (const std::string& robot : options.robot.robots)
+        record.title += (record.title.empty() ? "" : ", ") + std::filesystem::path(robot).filename().string();
     page.write(view::scene_page(record));
     page.close();
     if (!options.json)
@@ -211,19 +214,20 @@ int run_robot(const RobotCommand& options) {
         page.emplace(options.page);
     }
     const RobotChecker checker = checker_of(options, question);
-    const JointPath path = path_of(question);
+    const JointPath& path = question.path;
     const Limit limit(seconds_of(options.query.seconds));
-    RobotAnswer found = of_files(options, [&] { return checker.first_contact(path); });
+    RobotAnswer found = of_files(options, [&] { return checker.first_contact(path, question.handovers); });
     const std::vector<RobotPair> others = others_at_start(checker, path, found);
     warn_if_untested(*found.untested, question.warnings);
-    if (question.has_stamps())
+    if (question.has_stamps)
         view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
     print(options.json ? answer_json(question, found, others) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)
         write_page(*page, options, question, path, found,
-                   options.wants_curve ? std::optional(view::curve_of(checker, path, question.options.margin))
-                                       : std::nullopt);
+                   options.wants_curve
+                       ? std::optional(view::curve_of(checker, path, question.options.margin, question.handovers))
+                       : std::nullopt);
     return status_of(found.verdict);
 }
 
@@ -232,14 +236,22 @@ int run_robot(const RobotCommand& options) {
 void add_robot(CLI::App& app, Task& task) {
     const auto options = std::make_shared<RobotCommand>();
     CLI::App& command = *app.add_subcommand("robot", "Does a robot touch its world or itself along a path?");
-    add_robot_options(command, options->robot);
+    add_cell_options(command, options->robot);
     add_radii_option(command, options->robot.radii, "the shapes of the robot and of the bodies of the scene");
     add_robot_change_options(command, options->changes);
     command
-        .add_option("--path", options->path,
-                    "table of configurations with the names of joints as its header, or a JointTrajectory of ROS as "
-                    "YAML or JSON; a robot without moving joints needs none")
-        ->type_name("FILE");
+        .add_option(
+            "--path", options->paths,
+            "table of configurations with the names of joints as its header, or a JointTrajectory of ROS as "
+            "YAML or JSON; a robot without moving joints needs none, and one of several rests if it has one row")
+        ->type_name("[NAME=]FILE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--handover", options->handovers,
+                    "from this time on, at which a row of a path is, an attached part moves with this link; more links "
+                    "that may touch the part may follow; one for each --handover")
+        ->type_name("TIME,PART,LINK")
+        ->allow_extra_args(false);
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the robot comes to its world and to itself");

@@ -1,7 +1,11 @@
 #include "cli/robot_options.h"
 
+#include "chasles/io/column_table.h"
+#include "chasles/io/pose_text.h"
 #include "chasles/io/text_scan.h"
 #include "cli/options.h"
+
+#include <algorithm>
 
 namespace chasles::cli {
 
@@ -11,9 +15,9 @@ void add_robot_options(CLI::App& command, RobotOptions& options) {
     add_solid_option(command, options.solid);
 }
 
-void add_robot_file_options(CLI::App& command, RobotOptions& options) {
-    command.add_option("--srdf", options.srdf, "SRDF file: which links are not tested against each other")
-        ->type_name("FILE");
+namespace {
+
+void add_packages_option(CLI::App& command, RobotOptions& options) {
     command
         .add_option(
             "--packages", options.packages,
@@ -22,15 +26,91 @@ void add_robot_file_options(CLI::App& command, RobotOptions& options) {
         ->allow_extra_args(false);
 }
 
-Robot load_robot(const RobotOptions& options) {
-    RobotFiles files{.srdf = options.srdf, .solid = options.solid, .radius = options.radii.first};
+/// Both sides of the first sign of equality. Throws InvalidInput where one is empty.
+std::pair<std::string, std::string> name_and_value(const char* option, const std::string& given, const char* form) {
+    const std::size_t sign = given.find('=');
+    if (sign == 0 || sign == std::string::npos || sign + 1 == given.size())
+        throw InvalidInput(std::string(option) + ": " + io::in_quotes(given) + " is not of the form " + form);
+    return {given.substr(0, sign), given.substr(sign + 1)};
+}
+
+Robot load_file(const RobotOptions& options, const std::string& urdf, const std::string& srdf) {
+    RobotFiles files{.srdf = srdf, .solid = options.solid, .radius = options.radii.first};
     for (const std::string& given : options.packages) {
-        const std::size_t sign = given.find('=');
-        if (sign == 0 || sign == std::string::npos || sign + 1 == given.size())
-            throw InvalidInput("--packages: " + io::in_quotes(given) + " is not of the form NAME=FOLDER");
-        files.packages[given.substr(0, sign)] = given.substr(sign + 1);
+        const auto [name, folder] = name_and_value("--packages", given, "NAME=FOLDER");
+        files.packages[name] = folder;
     }
-    return Robot::load(options.urdf, files);
+    return Robot::load(urdf, files);
+}
+
+} // namespace
+
+void add_robot_file_options(CLI::App& command, RobotOptions& options) {
+    command.add_option("--srdf", options.srdf, "SRDF file: which links are not tested against each other")
+        ->type_name("FILE");
+    add_packages_option(command, options);
+}
+
+void add_cell_options(CLI::App& command, RobotOptions& options) {
+    command
+        .add_option("ROBOT", options.robots,
+                    "URDF file; or several robots in one cell, NAME=FILE each: then --srdf, --base and --path have "
+                    "NAME=VALUE, once for each robot")
+        ->required()
+        ->type_name("[NAME=]FILE");
+    command.add_option("--srdf", options.srdfs, "SRDF file: which links are not tested against each other")
+        ->type_name("[NAME=]FILE")
+        ->allow_extra_args(false);
+    command.add_option("--base", options.bases, "pose of the root link of a robot in the world")
+        ->type_name("[NAME=]POSE")
+        ->allow_extra_args(false);
+    add_packages_option(command, options);
+    add_solid_option(command, options.solid);
+}
+
+Robot load_robot(const RobotOptions& options) {
+    return load_file(options, options.urdf, options.srdf);
+}
+
+std::map<std::string, std::string> values_by_robot(const char* option, const std::vector<std::string>& given,
+                                                   const std::vector<std::string>& names) {
+    std::map<std::string, std::string> values;
+    for (const std::string& text : given) {
+        const auto [name, value] =
+            names.size() == 1 ? std::pair(names.front(), text) : name_and_value(option, text, "NAME=VALUE");
+        if (std::ranges::find(names, name) == names.end())
+            throw InvalidInput(std::string(option) + ": there is no robot " + io::in_quotes(name) + ", only " +
+                               io::shown_names(names));
+        if (!values.emplace(name, value).second)
+            throw InvalidInput(std::string(option) + ": is given twice" + (name.empty() ? "" : " for " + name));
+    }
+    return values;
+}
+
+NamedRobots load_robots(const RobotOptions& options) {
+    std::vector<std::pair<std::string, std::string>> files;
+    if (options.robots.size() == 1)
+        files.emplace_back("", options.robots.front());
+    else
+        for (const std::string& given : options.robots)
+            files.push_back(name_and_value("ROBOT", given, "NAME=FILE, which each of several robots needs"));
+    std::vector<std::string> names;
+    for (const auto& [name, file] : files)
+        names.push_back(name);
+    const auto srdfs = values_by_robot("--srdf", options.srdfs, names);
+    const auto bases = values_by_robot("--base", options.bases, names);
+    NamedRobots robots;
+    for (const auto& [name, file] : files) {
+        const auto srdf = srdfs.find(name), base = bases.find(name);
+        robots.emplace_back(name, load_file(options, file, srdf == srdfs.end() ? "" : srdf->second));
+        if (base != bases.end())
+            robots.back().second.set_base(at_place("--base", [&] { return io::parse_pose(base->second); }));
+    }
+    return robots;
+}
+
+Robot together(const NamedRobots& robots) {
+    return robots.size() == 1 ? robots.front().second : Robot::together(robots);
 }
 
 } // namespace chasles::cli

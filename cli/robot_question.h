@@ -17,7 +17,8 @@ namespace chasles::cli {
 struct RobotCommand {
     RobotOptions robot;
     RobotChangeOptions changes;
-    std::string path; ///< empty: none
+    std::vector<std::string> paths;     ///< FILE, or NAME=FILE for each of several robots
+    std::vector<std::string> handovers; ///< TIME,PART,LINK and more links that may touch the part
     std::string scene;
     std::string page;
     QuestionOptions query;
@@ -31,13 +32,13 @@ struct RobotCommand {
 
 struct RobotQuestion {
     Robot robot;
-    robot::ConfigurationRows rows;
+    JointPath path;
+    bool has_stamps;
+    std::vector<Handover> handovers;
     std::optional<SceneFile> scene;
     QueryOptions options;
     std::vector<std::string> warnings;
-    std::string path; ///< the name of the file of the rows
 
-    [[nodiscard]] bool has_stamps() const { return !rows.stamps.empty(); }
     [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
 };
 
@@ -51,8 +52,5 @@ Robot read_robot(const RobotCommand& options, const std::optional<SceneFile>& sc
 
 /// Reads all files. What is wrong with an option is refused first.
 RobotQuestion read_question(const RobotCommand& options);
-
-/// The rows as a path. An error names their file.
-JointPath path_of(const RobotQuestion& question);
 
 } // namespace chasles::cli

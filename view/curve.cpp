@@ -19,8 +19,8 @@ Curve curve_of(const chasles::Scene& scene, double margin) {
     return curve;
 }
 
-Curve curve_of(const RobotChecker& checker, const JointPath& path, double margin) {
-    RobotProfile found = checker.profile(path);
+Curve curve_of(const RobotChecker& checker, const JointPath& path, double margin, std::span<const Handover> handovers) {
+    RobotProfile found = checker.profile(path, {}, handovers);
     Curve curve = curve_of(std::move(found.distance), margin);
     for (const RobotPair& pair : found.pairs)
         curve.pairs.emplace_back(pair.first, pair.second);

@@ -4,6 +4,7 @@
 #include "chasles/robot/robot.h"
 #include "view/answer_json.h"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,8 @@ struct Curve {
 /// Of two bodies, of a scene, and of a path. The margin of the question is drawn as a line.
 Curve curve_of(DistanceProfile distance, double margin);
 Curve curve_of(const chasles::Scene& scene, double margin);
-Curve curve_of(const RobotChecker& checker, const JointPath& path, double margin);
+Curve curve_of(const RobotChecker& checker, const JointPath& path, double margin,
+               std::span<const Handover> handovers = {});
 
 /// The keys are those of viewer/src/curve.ts.
 Json curve_json(const Curve& curve);

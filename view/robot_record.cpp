@@ -4,16 +4,28 @@
 #include "view/sampled_track.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace chasles::view {
 namespace {
 
-/// A shape that moves with a link.
+/// Which link a shape moves with from a stamp on.
+struct Carried {
+    std::size_t link;
+    Pose place; ///< in the frame of the link
+    double from = -std::numeric_limits<double>::infinity();
+};
+
+/// A shape of a link or of a part, which may change hands.
 struct ShapeOfLink {
     std::string name;
     Polyhedron shape;
-    std::size_t link;
-    Pose place; ///< in the frame of the link
+    std::vector<Carried> carried; ///< in the order of stamps
+
+    [[nodiscard]] const Carried& at(double stamp) const {
+        return *std::prev(std::ranges::upper_bound(carried, stamp, {}, &Carried::from));
+    }
 };
 
 /// The shapes of links and parts, which are named after them.
@@ -23,11 +35,12 @@ std::vector<ShapeOfLink> shapes_of(const chasles::Robot& robot) {
     for (std::size_t link = 0; link < links.size(); ++link) {
         const auto& [name, collisions] = links[link];
         for (std::size_t i = 0; i < collisions.size(); ++i)
-            shapes.push_back({collisions.size() == 1 ? name : name + "/" + std::to_string(i + 1), collisions[i].shape,
-                              link, collisions[i].origin});
+            shapes.push_back({collisions.size() == 1 ? name : name + "/" + std::to_string(i + 1),
+                              collisions[i].shape,
+                              {{link, collisions[i].origin}}});
         for (const AttachedPart& part : robot.attached())
             if (part.link == name)
-                shapes.push_back({part.name, part.shape, link, part.pose});
+                shapes.push_back({part.name, part.shape, {{link, part.pose}}});
     }
     return shapes;
 }
@@ -36,6 +49,25 @@ std::vector<ShapeOfLink> shapes_of(const chasles::Robot& robot) {
 Pose in_world(const Pose& link, const Pose& place) {
     const Eigen::Quaterniond turn = link.rotation.normalized();
     return {link.translation + turn * place.translation, turn * Eigen::Quaterniond(place.rotation)};
+}
+
+/// The place in the world, seen from a link.
+Pose seen_from(const Pose& link, const Pose& place) {
+    const Eigen::Quaterniond back = link.rotation.normalized().conjugate();
+    return {back * (place.translation - link.translation), back * Eigen::Quaterniond(place.rotation)};
+}
+
+/// Parts keep their places where they change hands.
+void add_handovers(std::vector<ShapeOfLink>& shapes, const chasles::Robot& robot, const RobotPathAnswer& answer) {
+    const std::vector<LinkDescription>& links = robot.description().links;
+    for (const Handover& handover : answer.handovers) {
+        const auto shape = std::ranges::find(shapes, handover.part, &ShapeOfLink::name);
+        const auto link = std::size_t(std::ranges::find(links, handover.link, &LinkDescription::name) - links.begin());
+        const std::vector<Pose> poses = robot.link_poses(answer.path.at(handover.stamp));
+        const Carried& before = shape->carried.back();
+        const Pose place = in_world(poses[before.link], before.place);
+        shape->carried.push_back({link, seen_from(poses[link], place), handover.stamp});
+    }
 }
 
 /// Where segments meet, up to the end.
@@ -48,14 +80,15 @@ std::vector<double> stops_of(const JointPath& path, double end) {
     return stops;
 }
 
-void add_links(SceneRecord& record, const chasles::Robot& robot, const JointPath& path,
+void add_links(SceneRecord& record, const chasles::Robot& robot, const RobotPathAnswer& answer,
                const std::function<void(std::size_t)>& progress) {
-    const std::vector<ShapeOfLink> shapes = shapes_of(robot);
+    std::vector<ShapeOfLink> shapes = shapes_of(robot);
+    add_handovers(shapes, robot, answer);
     const auto poses_at = [&](double stamp) {
-        const std::vector<Pose> links = robot.link_poses(path.at(stamp));
+        const std::vector<Pose> links = robot.link_poses(answer.path.at(stamp));
         std::vector<Pose> poses;
         for (const ShapeOfLink& shape : shapes)
-            poses.push_back(in_world(links[shape.link], shape.place));
+            poses.push_back(in_world(links[shape.at(stamp).link], shape.at(stamp).place));
         return poses;
     };
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -92,14 +125,15 @@ std::size_t index_of(const SceneRecord& record, const std::string& name, std::si
 
 } // namespace
 
-SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scene, const JointPath& path,
-                         const RobotAnswer& answer, const std::function<void(std::size_t)>& progress) {
+SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scene, const RobotPathAnswer& about,
+                         const std::function<void(std::size_t)>& progress) {
+    const auto& [path, answer, handovers] = about;
     require_answer(answer.verdict);
     const Bracket whole{path.segments().front().begin, path.segments().back().end};
     SceneRecord record{.source = RecordSource::first_contact, .clear_until = answer.clear_until};
     record.times = stops_of(path, answer.verdict == Verdict::clear ? whole.upper : answer.time.lower);
     record.untested = *answer.untested;
-    add_links(record, robot, path, progress);
+    add_links(record, robot, about, progress);
     if (scene)
         add_world(record, *scene, whole);
     if (answer.pair)

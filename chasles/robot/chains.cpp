@@ -57,6 +57,8 @@ Quaternion<Wide> quaternion_at(const JointPath::Segment& segment, std::size_t fi
     return {given.w * inverse, scale(given.v, inverse)};
 }
 
+} // namespace
+
 /// The even turn from one orientation to another, the shorter way round, about an axis in the turning frame.
 SegmentMotion::Turn turn_of(const JointPath::Segment& segment, std::size_t first) {
     const Quaternion<Wide> start = quaternion_at(segment, first, false);
@@ -70,8 +72,6 @@ SegmentMotion::Turn turn_of(const JointPath::Segment& segment, std::size_t first
     const auto value = std::make_shared<const TimePolynomial>(std::vector<Wide>{Wide(0.0), angle});
     return {FixedPose(motion::GeneralPose<Wide>{{}, start}), {FixedAxis(axis), value, true, false}};
 }
-
-} // namespace
 
 SegmentMotion Model::motion_of(const JointPath::Segment& segment) const {
     SegmentMotion motion;
@@ -132,9 +132,12 @@ void Model::add_chain(Chain& chain, const SegmentMotion& motion, std::size_t gro
     chain.add(place);
 }
 
+FixedPose Model::place_of(const SegmentMotion& motion, std::size_t group, const FixedPose& place, double time) const {
+    return FixedPose(motion::chain_frame(chain(motion, group, place))->refined_at(Wide(time)));
+}
+
 Pose Model::pose_of(const SegmentMotion& motion, std::size_t owner, double time) const {
-    const motion::SharedFrame frame = motion::chain_frame(chain(motion, owners[owner].group, owners[owner].place));
-    return motion::rounded(frame->refined_at(Wide(time)));
+    return motion::rounded(place_of(motion, owners[owner].group, owners[owner].place, time).refined);
 }
 
 /// Each group is placed by the group above it, once.

@@ -5,6 +5,7 @@
 #include "chasles/base/parallel_for.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/query/requirements.h"
+#include "chasles/robot/handovers.h"
 #include "chasles/robot/segment_pairs.h"
 
 #include <algorithm>
@@ -172,12 +173,13 @@ void set_unknown(RobotAnswer& answer, const JointPath& path, double clear_until)
 
 } // namespace
 
-RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
+RobotAnswer RobotChecker::first_contact(const JointPath& path, std::span<const Handover> handovers) const {
+    const robot::Stretches stretches(*prepared_, path, handovers);
     RobotAnswer answer;
-    answer.untested = prepared_->untested;
+    answer.untested = stretches.untested();
     const std::vector<JointPath::Segment>& segments = path.segments();
     for (answer.segment = 0; answer.segment < segments.size(); ++answer.segment) {
-        SegmentSearch search(*prepared_, path, answer.segment);
+        SegmentSearch search(stretches.at(answer.segment), path, answer.segment);
         std::optional<SegmentSearch::Found> found;
         try {
             found = search.run();

@@ -2,6 +2,7 @@
 #include "chasles/base/limit.h"
 #include "chasles/query/nearest_of.h"
 #include "chasles/query/requirements.h"
+#include "chasles/robot/handovers.h"
 #include "chasles/robot/segment_pairs.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ using Prepared = RobotChecker::Prepared;
 
 class ClearanceSearch {
 public:
-    ClearanceSearch(const Prepared& prepared, const JointPath& path, const LeastDistanceOptions& options)
-        : prepared_(prepared), path_(path), nearest_(options) {}
+    ClearanceSearch(const robot::Stretches& stretches, const JointPath& path, const LeastDistanceOptions& options)
+        : stretches_(stretches), path_(path), nearest_(options) {}
 
     RobotClearance run();
 
@@ -28,7 +29,7 @@ private:
     void visit(std::size_t segment);
     void visit(const SegmentPairs& pairs, const Task& task, std::size_t segment);
 
-    const Prepared& prepared_;
+    const robot::Stretches& stretches_;
     const JointPath& path_;
     query::NearestOf nearest_;
     RobotClearance found_;
@@ -40,7 +41,7 @@ RobotClearance ClearanceSearch::run() {
     found_.distance = found_.nearest.distance;
     found_.certain = found_.nearest.certain;
     found_.work = found_.nearest.work;
-    found_.untested = prepared_.untested;
+    found_.untested = stretches_.untested();
     if (found_.pair) {
         found_.time = robot::stamps_of(path_.segments()[found_.segment], found_.nearest.time);
         found_.configuration = path_.at(found_.time.lower);
@@ -60,11 +61,12 @@ void ClearanceSearch::visit_segments() {
 
 /// All pairs within a distance, which grows until some pair is nearer, or is that of the nearest pair of all.
 void ClearanceSearch::visit(std::size_t segment) {
-    const SegmentPairs pairs(prepared_, path_, segment);
-    if (prepared_.self_pairs.empty() && prepared_.bodies.empty())
+    const Prepared& prepared = stretches_.at(segment);
+    const SegmentPairs pairs(prepared, path_, segment);
+    if (prepared.self_pairs.empty() && prepared.bodies.empty())
         return;
-    for (double distance = nearest_.has_any() ? nearest_.upper() : robot::first_distance(prepared_);;) {
-        for (const Task& task : near_tasks(prepared_, pairs.motion(), distance))
+    for (double distance = nearest_.has_any() ? nearest_.upper() : robot::first_distance(prepared);;) {
+        for (const Task& task : near_tasks(prepared, pairs.motion(), distance))
             pairs.naming(task, [&] { visit(pairs, task, segment); });
         if (nearest_.upper() <= distance || distance == Pose::largest_length)
             return;
@@ -75,8 +77,9 @@ void ClearanceSearch::visit(std::size_t segment) {
 
 void ClearanceSearch::visit(const SegmentPairs& pairs, const Task& task, std::size_t segment) {
     ++found_.pairs;
+    const Prepared& prepared = pairs.prepared();
     std::optional<LeastDistance> distance =
-        nearest_.ask(prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), pairs.trajectory(task));
+        nearest_.ask(prepared.moving(task).shape.body(), prepared.fixed_shape(task).body(), pairs.trajectory(task));
     if (!distance)
         return;
     distance->time = distance->tau = robot::in_segment(distance->time, task.part);
@@ -89,9 +92,11 @@ void ClearanceSearch::visit(const SegmentPairs& pairs, const Task& task, std::si
 
 } // namespace
 
-RobotClearance RobotChecker::least_distance(const JointPath& path, const LeastDistanceOptions& options) const {
+RobotClearance RobotChecker::least_distance(const JointPath& path, const LeastDistanceOptions& options,
+                                            std::span<const Handover> handovers) const {
     query::check_options(options);
-    return ClearanceSearch(*prepared_, path, options).run();
+    const robot::Stretches stretches(*prepared_, path, handovers);
+    return ClearanceSearch(stretches, path, options).run();
 }
 
 RobotClearance RobotChecker::least_distance(const Configuration& start, const Configuration& goal,

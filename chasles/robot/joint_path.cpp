@@ -42,7 +42,7 @@ bool is_angle(const robot::Model& model, const std::string& variable) {
 /// How the values of a variable become smaller.
 std::string way_to_smaller_values(const robot::Model& model, std::size_t variable) {
     const std::string& name = model.variables[variable].name;
-    if (name.find("/rot_") != std::string::npos)
+    if (std::ranges::any_of(model.quaternions, [&](std::size_t q) { return q <= variable && variable < q + 4; }))
         return "give the quaternion the length 1";
     if (!is_angle(model, name))
         return "choose a larger unit of length";

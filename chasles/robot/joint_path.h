@@ -7,9 +7,12 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace chasles {
@@ -26,7 +29,7 @@ public:
     /// How the polynomials follow from the knots: the configurations that the path was made of, at the ends of its
     /// segments.
     enum class Knots : std::uint8_t {
-        none,           ///< a path of polynomials
+        none,           ///< a path of polynomials, or of several robots
         straight,       ///< each segment by the two knots at its ends
         cubic,          ///< likewise, for given velocities
         quintic,        ///< likewise, for given velocities and accelerations
@@ -67,6 +70,14 @@ public:
     /// Any polynomials. Throws InvalidInput for floating joints, and for a segment that does not begin where the one
     /// before ends (1e-9 of the sizes).
     static JointPath polynomials(const Robot& robot, std::vector<Segment> segments);
+
+    /// By the names of robots: a path, or the configuration at which the robot rests.
+    using OfRobots = std::map<std::string, std::variant<JointPath, Configuration>>;
+    /// The path of a cell (Robot::together) whose robots have a path each, with stamps of their own. It has a segment
+    /// between each stamp and the next one of any robot. A robot rests before its path begins, and after it ends.
+    /// Throws InvalidInput for a robot that is not named, an unknown name, a path of another robot, and if all robots
+    /// rest. Source: docs/derivations/42-several-robots.md.
+    static JointPath together(const Robot& cell, const OfRobots& paths);
 
     [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
     [[nodiscard]] Knots knots() const { return knots_; }

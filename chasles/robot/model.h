@@ -90,6 +90,10 @@ public:
 
     void attach(const AttachedPart& part);
     void detach(std::string_view name);
+    /// A part, and the links that carry it or touch it, are not tested against each other.
+    void let_touch(std::string_view part, std::string_view link, const std::vector<std::string>& touch_links);
+    /// The part moves with another link. It keeps its place in the world at the begin of a segment.
+    void hand_over(std::string_view part, std::string_view link, const SegmentMotion& segment);
     /// Throws InvalidInput for an unknown name.
     [[nodiscard]] std::size_t owner(std::string_view name) const;
     [[nodiscard]] OwnerPair owners_of(std::string_view a, std::string_view b) const;
@@ -103,6 +107,9 @@ public:
         return {owners[element.owner].name, element.shape_index};
     }
 
+    /// In the world, at a time of the segment.
+    [[nodiscard]] motion::FixedPose place_of(const SegmentMotion& motion, std::size_t group,
+                                             const motion::FixedPose& place, double time) const;
     /// The pose of a link or part in the world at a time of the segment.
     [[nodiscard]] Pose pose_of(const SegmentMotion& motion, std::size_t owner, double time) const;
     /// Those of all links, in the order of the description.
@@ -127,6 +134,9 @@ private:
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
 };
+
+/// The even turn of a floating joint in a straight segment, whose quaternion begins at this variable.
+SegmentMotion::Turn turn_of(const JointPath::Segment& segment, std::size_t first);
 
 /// The suffixes of the names of the variables of a joint that follows none: as many as it has numbers in a state.
 std::vector<const char*> suffixes_of(JointType type);

@@ -94,7 +94,7 @@ private:
 
     [[nodiscard]] std::vector<Candidate> candidates();
     void add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates, double margin) const;
-    void add_obstacles(std::vector<Candidate>& all, std::size_t element);
+    void add_obstacles(std::vector<Candidate>& all, std::size_t element, const Box& swept_box);
     void add_movers();
     void go_down(RateBounds& bounds, std::size_t above, std::size_t to) const;
     [[nodiscard]] RateBounds rates_between(std::size_t from, std::size_t to) const;
@@ -171,29 +171,33 @@ void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const
                    extent.radius * (nodes < many_nodes ? small_way : way_of_many_nodes)});
 }
 
+/// Pairs whose boxes overlap in the world over the whole segment: few of those of two robots do.
 std::vector<Candidate> Culling::candidates() {
     std::vector<Candidate> all;
+    std::vector<Box> boxes;
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+        boxes.push_back(swept({}, e, of_group_[model_.elements[e].group]));
     for (std::size_t i = 0; i < prepared_.self_pairs.size(); ++i) {
-        const auto& [moving, fixed, margin] = prepared_.self_pairs[i];
-        add_candidate(all, {Task::Kind::self, i, 0, {}},
-                      rates_between(model_.elements[fixed].group, model_.elements[moving].group),
-                      distance_.value_or(margin));
+        const auto& [moving, fixed, own_margin] = prepared_.self_pairs[i];
+        const double margin = distance_.value_or(own_margin);
+        if (scene::widened(boxes[moving], margin).intersects(boxes[fixed]))
+            add_candidate(all, {Task::Kind::self, i, 0, {}},
+                          rates_between(model_.elements[fixed].group, model_.elements[moving].group), margin);
     }
     if (!prepared_.obstacles.empty())
         for (std::size_t e = 0; e < model_.elements.size(); ++e)
-            add_obstacles(all, e);
+            add_obstacles(all, e, boxes[e]);
     return all;
 }
 
-/// Those whose boxes overlap with the box of an element over the whole segment.
-void Culling::add_obstacles(std::vector<Candidate>& all, std::size_t element) {
+void Culling::add_obstacles(std::vector<Candidate>& all, std::size_t element, const Box& swept_box) {
     const RateBounds& rates = of_group_[model_.elements[element].group];
     const double margin = distance_.value_or(prepared_.options.margin);
     const auto add = [&](std::size_t obstacle) {
         if (!prepared_.is_ignored(element, prepared_.obstacles[obstacle].body))
             add_candidate(all, {Task::Kind::obstacle, element, obstacle, {}}, rates, margin);
     };
-    const Box box = scene::widened(swept({}, element, rates), margin);
+    const Box box = scene::widened(swept_box, margin);
     if (prepared_.tree)
         for (const std::uint32_t obstacle : prepared_.tree->overlapping(box))
             add(obstacle);

@@ -56,12 +56,24 @@ void check_options(const QueryOptions& options, const Model& model) {
 RobotChecker::Prepared::Prepared(const Robot& given, const Scene* scene, const RobotQuery& query)
     : robot(given), options(query.options) {
     check_options(options, model());
-    for (const Element& element : model().elements)
-        extents.push_back(extent_of(element));
-    add_self_pairs();
+    prepare_robot();
     if (scene)
         add_scene(*scene);
     untested = std::make_shared<const UntestedPairs>(robot::untested_pairs(*this));
+}
+
+RobotChecker::Prepared::Prepared(const Prepared& other, const Model& changed) : Prepared(other) {
+    robot = Robot(std::make_shared<const Model>(changed));
+    extents.clear();
+    self_pairs.clear();
+    prepare_robot();
+    untested = std::make_shared<const UntestedPairs>(robot::untested_pairs(*this));
+}
+
+void RobotChecker::Prepared::prepare_robot() {
+    for (const Element& element : model().elements)
+        extents.push_back(extent_of(element));
+    add_self_pairs();
 }
 
 QueryOptions RobotChecker::Prepared::options_of(const robot::Task& task) const {

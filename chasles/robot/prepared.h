@@ -52,8 +52,11 @@ struct RobotChecker::Prepared {
     };
 
     Prepared(const Robot& given, const Scene* scene, const RobotQuery& query);
+    /// The same world and question, for a robot with the same links and parts in other places.
+    Prepared(const Prepared& other, const robot::Model& changed);
 
     [[nodiscard]] const robot::Model& model() const { return robot.model(); }
+    void prepare_robot();
     void add_self_pairs();
     void add_scene(const Scene& scene);
     /// The question about a task: with its margin, and with `hold` if that is less.

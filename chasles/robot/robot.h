@@ -88,6 +88,13 @@ public:
     explicit Robot(RobotDescription description);
     /// The robot that has these changes. Throws InvalidInput as the functions that make the changes.
     Robot(RobotDescription description, const RobotChanges& changes);
+    /// Several robots as one, for questions about all of them: a cell. Each robot stands where its base is, below the
+    /// root link "world". Its name and a slash come first in all its names, such as left/elbow; the fixed joint at its
+    /// base has its name. Parts, ignored pairs and margins are kept. Links of different robots are tested against each
+    /// other, unless both stand still whatever the joints do. JointPath::together makes paths. Throws InvalidInput for
+    /// no robot, and for a name that is empty, has a slash or comes twice. Source:
+    /// docs/derivations/42-several-robots.md.
+    static Robot together(const std::vector<std::pair<std::string, Robot>>& robots);
     /// All changes since the robot was made of its description.
     [[nodiscard]] RobotChanges changes() const;
 
@@ -151,9 +158,19 @@ public:
 
     /// For the library's own use.
     [[nodiscard]] const robot::Model& model() const { return *model_; }
+    explicit Robot(std::shared_ptr<const robot::Model> model) : model_(std::move(model)) {}
 
 private:
     std::shared_ptr<const robot::Model> model_; ///< never changes; a changed robot has another one
+};
+
+/// From a stamp of a path on, a part moves with another link. It keeps the place in the world that it has at the stamp:
+/// a robot takes it from another one, or from the root link, on which it lies, and puts it down there.
+struct Handover {
+    double stamp = 0; ///< at which a segment of the path ends, and the next one begins
+    std::string part; ///< that is attached to the robot
+    std::string link; ///< that carries the part from now on. It is not tested against the part, during the whole path
+    std::vector<std::string> touch_links = {}; ///< more links and parts that are not, such as fingers
 };
 
 /// How to answer a question about a robot.
@@ -241,8 +258,10 @@ public:
     RobotChecker(RobotChecker&&) noexcept;
     RobotChecker& operator=(RobotChecker&&) noexcept;
 
-    /// The first contact along a path. Bodies of the scene that move do so during the whole path.
-    [[nodiscard]] RobotAnswer first_contact(const JointPath& path) const;
+    /// The first contact along a path. Bodies of the scene that move do so during the whole path. Handovers come in the
+    /// order of their stamps. Throws InvalidInput "handover I: WHY" for a stamp at which no segment ends, and for an
+    /// unknown name.
+    [[nodiscard]] RobotAnswer first_contact(const JointPath& path, std::span<const Handover> handovers = {}) const;
     /// Along the straight edge between two configurations.
     [[nodiscard]] RobotAnswer first_contact(const Configuration& start, const Configuration& goal) const;
     /// Whether the straight edge is proven clear. The cheapest question.
@@ -258,19 +277,21 @@ public:
 
     /// How near the robot comes to its world and to itself along a path; margins have no effect. Throws InvalidInput
     /// for an option out of its range. Source: docs/derivations/29-robots.md, "Clearance".
-    [[nodiscard]] RobotClearance least_distance(const JointPath& path, const LeastDistanceOptions& options = {}) const;
+    [[nodiscard]] RobotClearance least_distance(const JointPath& path, const LeastDistanceOptions& options = {},
+                                                std::span<const Handover> handovers = {}) const;
     /// Along the straight edge between two configurations.
     [[nodiscard]] RobotClearance least_distance(const Configuration& start, const Configuration& goal,
                                                 const LeastDistanceOptions& options = {}) const;
 
-    /// The gradient of an answer about this path. It is computed in double. Throws InvalidInput for a path of
-    /// polynomials, which has no knots. Source: docs/derivations/41-gradients.md.
+    /// The gradient of an answer about this path without handovers. It is computed in double. Throws InvalidInput for a
+    /// path of polynomials, which has no knots. Source: docs/derivations/41-gradients.md.
     [[nodiscard]] RobotGradient least_distance_gradient(const JointPath& path, const RobotClearance& clearance) const;
 
     /// The distance of the nearest pair over a path; margins of the checker have no effect. At a Limit what is proven
     /// so far. Throws InvalidInput for an option out of its range. Source: docs/derivations/39-profile.md, "Many
     /// pairs".
-    [[nodiscard]] RobotProfile profile(const JointPath& path, const ProfileOptions& options = {}) const;
+    [[nodiscard]] RobotProfile profile(const JointPath& path, const ProfileOptions& options = {},
+                                       std::span<const Handover> handovers = {}) const;
 
     /// What is clear, in contact or open of all configurations of a box of joints (chasles/robot/range.h). The same
     /// answer for any number of threads, unless time ends the search. `hold` has no effect. Throws InvalidInput for a

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -131,6 +132,7 @@ def write_robot_page(
     margin: float = 0.0,
     title: str = "Chasles",
     curve: bool = False,
+    handovers: Sequence[tuple[float, str, str] | tuple[float, str, str, list[str]]] = (),
 ) -> pathlib.Path:
     """Write a page of HTML that shows the robot on its path up to its first contact, and return the path of the page.
 
@@ -151,13 +153,15 @@ def write_robot_page(
         The title of the page.
     curve : bool
         Whether the page shows the distance over time below the slider. It takes the time of `robot.profile`.
+    handovers : sequence of tuples
+        As for `robot.first_contact_on_path`.
 
     Raises
     ------
     InvalidInput
         For configurations that cannot be used, or if the package was built without the viewer.
     """
-    page = _core.robot_page(robot, configurations, scene, margin, title, curve)
+    page = _core.robot_page(robot, configurations, scene, margin, title, curve, handovers)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")
     return path

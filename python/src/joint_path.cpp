@@ -208,6 +208,10 @@ void bind_joint_path(nb::module_& module) {
                     "(powers, segments, variables)\n    The highest power first; of the time since the begin of the "
                     "segment.\n\nRaises\n------\nInvalidInput\n    For floating joints, wrong shapes, and a segment "
                     "that does not begin where the one before ends (1e-9 of the sizes).")
+        .def_static("together", paths_together, "cell"_a, "paths"_a.none(),
+                    nb::sig("def together(cell: Robot, paths: collections.abc.Mapping[str, JointPath | "
+                            "numpy.typing.ArrayLike]) -> JointPath"),
+                    doc("JointPath.together"))
         .def_prop_ro("times", stamps_of, nb::sig("def times(self) -> " CHASLES_ARRAY), "Of the ends of all segments.")
         .def("at", at, "time"_a, nb::sig("def at(self, time: float) -> " CHASLES_ARRAY),
              "The configuration at a time; outside of the path, at its nearer end.")

@@ -92,7 +92,8 @@ PythonProfile profile_of_robot(const RobotChecker& checker, const PathArguments&
                                double absolute_tolerance, nb::handle margins, double time_tolerance) {
     const ProfileOptions options = options_from(tolerance, absolute_tolerance, margins, time_tolerance);
     const JointPath path = path_from(checker.robot(), arguments);
-    RobotProfile answer = asked([&] { return checker.profile(path, options); });
+    const std::vector<Handover> handovers = handovers_from(arguments);
+    RobotProfile answer = asked([&] { return checker.profile(path, options, handovers); });
     PythonProfile profile{std::move(answer.distance), {}, *answer.untested};
     for (const RobotPair& pair : answer.pairs)
         profile.pairs.emplace_back(pair.first, pair.second);
@@ -113,7 +114,7 @@ std::string robot_profile_doc() {
            "of "
            "the scene.\n\nParameters\n----------\nconfigurations : JointPath or array_like (n, variables)\n    With "
            "`times`, `velocities` and `accelerations` as for first_contact_on_path.\nscene : Scene, optional\n    The "
-           "world; its margins have no effect.\n" +
+           "world; its margins have no effect.\nhandovers : sequence of tuples\n    As for first_contact_on_path.\n" +
            options_doc() +
            "\nReturns\n-------\nDistanceProfile\n    With `pairs`, `nearest` and `untested`; its `times` are stamps, "
            "or "
@@ -138,21 +139,21 @@ void bind_profile(nb::class_<PythonRobot>& robot) {
         "profile",
         [](const PythonRobot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
            nb::handle accelerations, nb::handle scene, double tolerance, double absolute_tolerance, nb::handle margins,
-           double time_tolerance) {
+           double time_tolerance, nb::handle handovers) {
             const Asking question = r.asking();
             const nb::str find("first");
             return profile_of_robot(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}),
-                                    {configurations, times, velocities, accelerations}, tolerance, absolute_tolerance,
-                                    margins, time_tolerance);
+                                    {configurations, times, velocities, accelerations, handovers}, tolerance,
+                                    absolute_tolerance, margins, time_tolerance);
         },
         "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
         nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = 1e-2, "absolute_tolerance"_a = 0.0,
-        "margins"_a = nb::make_tuple(), "time_tolerance"_a = 1e-6,
+        "margins"_a = nb::make_tuple(), "time_tolerance"_a = 1e-6, "handovers"_a.none() = nb::make_tuple(),
         nb::sig("def profile(self, configurations: numpy.typing.ArrayLike | JointPath, "
                 "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                 "accelerations: numpy.typing.ArrayLike | None = None, *, scene: Scene | None = None, "
                 "tolerance: float = 0.01, absolute_tolerance: float = 0.0, margins: numpy.typing.ArrayLike = (), "
-                "time_tolerance: float = 1e-06) -> DistanceProfile"),
+                "time_tolerance: float = 1e-06, " CHASLES_HANDOVERS ") -> DistanceProfile"),
         text.c_str());
 }
 

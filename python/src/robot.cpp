@@ -11,8 +11,6 @@
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 #include "view/names.h"
-#include "view/page.h"
-#include "view/robot_record.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/filesystem.h>
@@ -102,29 +100,6 @@ nb::list proofs_of(const PythonRobot& robot, double seconds, unsigned threads, n
     return list;
 }
 
-/// A page of HTML that shows the robot on a path up to its first contact.
-std::string page_of(const PythonRobot& robot, nb::handle configurations, nb::handle scene, double margin,
-                    const std::string& title, bool curve) {
-    const Asking question = robot.asking();
-    const JointPath path = path_from(robot, {configurations, nb::none(), nb::none(), nb::none()});
-    const nb::str find("first");
-    const RobotChecker checker = checker_of(robot, {scene, margin, std::nullopt, default_time_tolerance, find});
-    const PythonScene* const world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene);
-    std::optional<Asking> about_world;
-    if (world)
-        about_world.emplace(world->use, "scene");
-    const RobotAnswer found = asked([&] { return checker.first_contact(path); });
-    std::optional<view::Curve> shown_curve;
-    if (curve)
-        shown_curve = asked([&] { return view::curve_of(checker, path, margin); });
-    const WithoutGil without_gil;
-    view::SceneRecord record = view::robot_record(robot, world ? &world->scene : nullptr, path, found);
-    record.margin = margin;
-    record.curve = std::move(shown_curve);
-    record.title = title;
-    return view::scene_page(record);
-}
-
 /// A function of the robot with two names.
 auto of_pair(void (Robot::*function)(std::string_view, std::string_view)) {
     return [function](PythonRobot& robot, const std::string& a, const std::string& b) {
@@ -184,11 +159,19 @@ void bind_robot(nb::module_& module) {
         std::string("The first contact along the straight edge between two configurations. Many questions are faster "
                     "with a RobotChecker.") +
         question_doc;
+    static const std::string path_doc =
+        std::string("The first contact along a JointPath, or along configurations (n, variables): straight from each "
+                    "configuration to the next, with time stamps\nor without; with velocities by cubic splines, with "
+                    "accelerations, too, by quintic ones. With stamps, times\nof the answer count in stamps, otherwise "
+                    "within the segment, in [0, 1].") +
+        handovers_doc;
     bind_proof(module);
     nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
     bind_profile(type);
     bind_robot_ranges(type, module);
+    bind_together(type);
+    bind_robot_page(module);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
                     "primitive_deviation"_a = 0.01, "solid"_a.none() = "automatic", "radius"_a = 0.0,
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "
@@ -314,21 +297,20 @@ void bind_robot(nb::module_& module) {
             "first_contact_on_path",
             [](const PythonRobot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
                nb::handle accelerations, nb::handle scene, double margin, std::optional<double> hold, double tolerance,
-               nb::handle find) {
+               nb::handle find, nb::handle handovers) {
                 const Asking question = r.asking();
                 return answer_on_path(checker_of(r, {scene, margin, hold, tolerance, find}),
-                                      {configurations, times, velocities, accelerations});
+                                      {configurations, times, velocities, accelerations, handovers});
             },
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
             "accelerations"_a = nb::none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
             "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
-                    "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
-            "The first contact along a JointPath, or along configurations (n, variables): straight from each "
-            "configuration to the next, with time "
-            "stamps\nor without; with velocities by cubic splines, with accelerations, too, by quintic ones. With "
-            "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
+                    "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION
+                    ", " CHASLES_HANDOVERS ") -> RobotContact"),
+            path_doc.c_str())
         .def(
             "least_distance",
             [](const PythonRobot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
@@ -349,8 +331,6 @@ void bind_robot(nb::module_& module) {
             return fmt::format("<chasles.Robot: {}, {} links, {} variables>", r.description().name,
                                r.description().links.size(), r.variables().size());
         });
-    module.def("robot_page", page_of, "robot"_a, "configurations"_a, "scene"_a.none(), "margin"_a, "title"_a, "curve"_a,
-               "A page of HTML in UTF-8 that shows the robot on its way.");
 }
 
 } // namespace chasles::python

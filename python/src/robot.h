@@ -47,6 +47,7 @@ struct PythonClearance {
     RobotChecker checker; ///< of the question, and its path: for the gradient
     JointPath path;
     bool in_stamps = false;
+    bool has_handovers = false;
     ComputedOnce<RobotGradient> gradient = {};
 
     [[nodiscard]] Bracket time() const { return in_stamps ? found.time : found.nearest.time; }
@@ -71,12 +72,25 @@ std::vector<Configuration> rows_of(nb::handle argument, const std::string& name)
 nb::object array_of(const Configuration& configuration);
 std::vector<std::string> names_of(const Robot& robot);
 
+#define CHASLES_HANDOVERS                                                                                              \
+    "handovers: collections.abc.Sequence[tuple[float, str, str] | tuple[float, str, str, list[str]]] = ()"
+
+/// What `handovers` of a question mean.
+inline constexpr const char* handovers_doc =
+    "\n\nEach handover is a tuple of a time of the path, a part, and the link that carries it from then on; perhaps, "
+    "too, links that it may\ntouch. A segment must end at that time. The part keeps its place there. It is not tested "
+    "against the links that carry it at any time.";
+
 /// Arrays; `times`, `velocities` and `accelerations` may be None.
 struct PathArguments {
     nb::handle configurations, times, velocities, accelerations;
+    nb::handle handovers = {}; ///< tuples; without any it may be null
 };
 /// `configurations` may be a JointPath.
 JointPath path_from(const Robot& robot, const PathArguments& arguments);
+
+/// Tuples (stamp, part, link) or (stamp, part, link, touch_links).
+std::vector<Handover> handovers_from(const PathArguments& arguments);
 
 /// Whether times of answers count in stamps.
 inline bool has_stamps(const PathArguments& arguments) {
@@ -111,6 +125,11 @@ PythonClearance clearance_on_path(const RobotChecker& checker, const PathArgumen
 /// The fields of many edges as lists and arrays: verdict, time, time_upper, clear_until, certain, first, second.
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 
+/// Several robots as one, and a path of theirs.
+void bind_together(nb::class_<PythonRobot>& type);
+JointPath paths_together(const PythonRobot& cell, nb::handle paths);
+/// A page that shows a robot.
+void bind_robot_page(nb::module_& module);
 /// Questions about boxes of configurations.
 void bind_robot_ranges(nb::class_<PythonRobot>& type, nb::module_& module);
 /// Pickle of a robot, and `free_body`.

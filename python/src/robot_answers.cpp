@@ -74,7 +74,7 @@ std::vector<Configuration> rows_of(nb::handle argument, const std::string& name)
 }
 
 JointPath path_from(const Robot& robot, const PathArguments& arguments) {
-    const auto& [configurations, times, velocities, accelerations] = arguments;
+    const auto& [configurations, times, velocities, accelerations, handovers] = arguments;
     if (const JointPath* path = nullptr; nb::try_cast(configurations, path) && path) {
         if (!times.is_none() || !velocities.is_none() || !accelerations.is_none())
             throw InvalidInput("times: a JointPath has its own");
@@ -177,7 +177,8 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
     const JointPath path = path_from(checker.robot(), arguments);
-    RobotAnswer found = asked([&] { return checker.first_contact(path); });
+    const std::vector<Handover> handovers = handovers_from(arguments);
+    RobotAnswer found = asked([&] { return checker.first_contact(path, handovers); });
     const bool is_last = found.segment + 1 == path.segments().size(), in_stamps = has_stamps(arguments);
     if (in_stamps)
         view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
@@ -211,6 +212,10 @@ nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::h
     "*, margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
 
 void bind_robot_answers(nb::module_& module) {
+    static const std::string on_path_doc =
+        std::string("Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with "
+                    "accelerations, too.") +
+        handovers_doc;
     bind_contact(module);
     nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr())
         .def(
@@ -261,17 +266,15 @@ void bind_robot_answers(nb::module_& module) {
         .def(
             "first_contact_on_path",
             [](const RobotChecker& checker, nb::handle configurations, nb::handle times, nb::handle velocities,
-               nb::handle accelerations) {
-                return answer_on_path(checker, {configurations, times, velocities, accelerations});
+               nb::handle accelerations, nb::handle handovers) {
+                return answer_on_path(checker, {configurations, times, velocities, accelerations, handovers});
             },
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
-            "accelerations"_a = nb::none(),
+            "accelerations"_a = nb::none(), nb::kw_only(), "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
-                    "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
-            "Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with "
-            "accelerations, "
-            "too.")
+                    "accelerations: numpy.typing.ArrayLike | None = None, *, " CHASLES_HANDOVERS ") -> RobotContact"),
+            on_path_doc.c_str())
         .def("least_distance", clearance_on_edge, "start"_a.none(), "goal"_a.none(), "tolerance"_a = default_tolerance,
              nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
                      "tolerance: float = 1e-6) -> RobotClearance"),
@@ -279,14 +282,17 @@ void bind_robot_answers(nb::module_& module) {
         .def(
             "least_distance_on_path",
             [](const RobotChecker& checker, nb::handle configurations, nb::handle times, nb::handle velocities,
-               nb::handle accelerations, double tolerance) {
-                return clearance_on_path(checker, {configurations, times, velocities, accelerations}, tolerance);
+               nb::handle accelerations, double tolerance, nb::handle handovers) {
+                return clearance_on_path(checker, {configurations, times, velocities, accelerations, handovers},
+                                         tolerance);
             },
             "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
-            "accelerations"_a = nb::none(), "tolerance"_a = default_tolerance,
+            "accelerations"_a = nb::none(), "tolerance"_a = default_tolerance, nb::kw_only(),
+            "handovers"_a.none() = nb::make_tuple(),
             nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
-                    "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6) -> RobotClearance"),
+                    "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6, "
+                    "*, " CHASLES_HANDOVERS ") -> RobotClearance"),
             "Likewise along a path, as in first_contact_on_path.")
         .def("first_contacts", answers_on_edges, "starts"_a.none(), "goals"_a.none(), "threads"_a = 0,
              nb::sig("def first_contacts(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, "

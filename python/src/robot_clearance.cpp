@@ -1,4 +1,5 @@
 // chasles.RobotClearance, and questions about how near a robot comes.
+#include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 #include "python/src/answer.h"
 #include "python/src/docstrings.h"
@@ -36,16 +37,19 @@ PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start,
 
 PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& arguments, double tolerance) {
     JointPath path = path_from(checker.robot(), arguments);
-    RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); });
+    const std::vector<Handover> handovers = handovers_from(arguments);
+    RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}, handovers); });
     const bool in_stamps = has_stamps(arguments);
     if (in_stamps)
         view::count_in_stamps(found.nearest.contacts, view::duration_of(path, found.segment));
-    return {std::move(found), checker, std::move(path), in_stamps};
+    return {std::move(found), checker, std::move(path), in_stamps, !handovers.empty()};
 }
 
 namespace {
 
 RobotGradient gradient_of(const PythonClearance& c) {
+    if (c.has_handovers)
+        throw InvalidInput("gradient: is not computed for a path with handovers");
     return c.gradient.get([&] { return c.checker.least_distance_gradient(c.path, c.found); });
 }
 
@@ -66,7 +70,8 @@ void bind_gradient(nb::class_<PythonClearance>& type) {
             "edge (2, variables),\nso that gradient[-1] is that of the goal. Mesh unit per radian, or per mesh unit. "
             "Times stay, and so do velocities that were\ngiven with the configurations. None where something touches. "
             "It is that of this minimum only if `isolated`. Computed in\ndouble on the first use.\n\n"
-            "Raises\n------\nInvalidInput\n    For a path of polynomials, which has no knots.")
+            "Raises\n------\nInvalidInput\n    For a path of polynomials or of several robots, which has no knots, and "
+            "with handovers.")
         .def_prop_ro(
             "isolated", [](const PythonClearance& c) { return gradient_of(c).isolated; },
             doc("DistanceGradient.isolated"));

@@ -95,6 +95,13 @@ QUESTIONS = {
             (*ROBOT_FILES, *CELL_FILES, "attached.ply"),
             (file("--page"),),
         ),
+        Question(
+            "robot-cell",
+            ("robot", "left=arm.urdf", "right=arm.urdf", "--srdf", "left=arm.srdf", "--packages", "parts=packages/parts", "--base",
+             "right=9,0,0", "--path", "left=path.csv", "--path", "right=path.csv"),
+            (*ROBOT_FILES, "path.csv"),
+            (file("--page"),),
+        ),
         Question("robot-clearance", ("robot", *ROBOT, *CELL, "--clearance"), (*ROBOT_FILES, *CELL_FILES)),
         Question(
             "robot-profile",

@@ -252,7 +252,7 @@ ROBOT_CHANGES = {
 ROBOT_READS = {
     "box_of_joints", "clear_box", "collisions", "continuous", "description", "first_contact", "first_contact_on_path", "is_tested",
     "least_distance", "limits", "link_pose", "link_poses", "links", "load", "name", "neutral", "profile", "prove_pairs", "range", "shape", "state",
-    "tested_pairs", "variables", "warnings", "warnings_about",
+    "tested_pairs", "together", "variables", "warnings", "warnings_about",
 }  # fmt: skip
 
 

@@ -52,7 +52,7 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
             const Robot robot(shaft_with_wheel(factor));
             const double angle = std::min({turns * turn, 900.0, 1900 / std::abs(factor)}); // within the limits of paths
             const view::SceneRecord record =
-                view::robot_record(robot, nullptr, turning(robot, angle), answer_of(Verdict::clear));
+                view::robot_record(robot, nullptr, {turning(robot, angle), answer_of(Verdict::clear)});
             ASSERT_EQ(record.bodies.size(), 2U);
             EXPECT_GE(double(record.bodies[1].times.size()), angle * std::abs(1 + factor) / 1.6);
             for (const view::RecordedBody& body : record.bodies)
@@ -65,7 +65,7 @@ TEST(RobotRecord, IsAnAnswer) {
     const Robot robot(shaft_with_wheel(1));
     RobotAnswer answer = answer_of(Verdict::clear);
     answer.clear_until = 1;
-    const view::SceneRecord record = view::robot_record(robot, nullptr, turning(robot, 0.1), answer);
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {turning(robot, 0.1), answer});
     EXPECT_EQ(record.source, view::RecordSource::first_contact);
     EXPECT_EQ(record.clear_until, 1);
 }
@@ -100,7 +100,7 @@ TEST(RobotRecord, LinksHaveAsManyPosesAsTheyNeed) {
     for (int i = 0; i <= rows; ++i)
         way.emplace_back(Eigen::Vector3d(0, 0.01 * i, i < rows ? 0.002 * i : 0.002 * i + 1));
     const JointPath path = JointPath::straight(robot, way);
-    const view::SceneRecord record = view::robot_record(robot, nullptr, path, answer_of(Verdict::clear));
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {path, answer_of(Verdict::clear)});
     EXPECT_NO_THROW(view::require_valid(record));
     EXPECT_EQ(record.bodies[0].poses.size(), 1U) << "the shaft rests";
     EXPECT_EQ(record.bodies[1].poses.size(), rows + 1U) << "the wheel slides";
@@ -130,7 +130,7 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     world.add({"post", box, Motion::at_rest(test::shifted(90, 0, 0))});
     RobotAnswer answer = answer_of(Verdict::contact);
     answer.time = {0.7, 0.7};
-    const view::SceneRecord record = view::robot_record(robot, &world, turning(robot, 0.1), answer);
+    const view::SceneRecord record = view::robot_record(robot, &world, {turning(robot, 0.1), answer});
     EXPECT_NO_THROW(view::require_valid(record));
     const view::RecordedBody &fan = record.bodies[2], &post = record.bodies[3];
     EXPECT_EQ(post.poses.size(), 1U);
@@ -139,6 +139,28 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     EXPECT_LE(largest_step(fan.poses), 1.6);
     const Eigen::Vector3d last(fan.poses.back()[0], fan.poses.back()[1], fan.poses.back()[2]);
     EXPECT_LE((last - world.bodies()[0].motion.pose_at(0.7).translation).norm(), 1e-12);
+}
+
+/// A part is on the shaft for a quarter of a turn, then on the base, and on the wheel at last.
+TEST(RobotRecord, APartChangesHandsWhereItIs) {
+    Robot robot(shaft_with_wheel(1));
+    robot.attach({"part", "shaft", test::box({0.1, 0.1, 0.1}).polyhedron(), test::shifted(0, 2, 0)});
+    std::vector<Configuration> way;
+    for (const double angle : {0.0, 0.25, 0.5, 1.0})
+        way.emplace_back(Configuration::Constant(1, angle * turn));
+    const JointPath path = JointPath::straight(robot, way);
+    RobotAnswer answer = answer_of(Verdict::clear);
+    const std::vector<Handover> handovers{{1, "part", "base"}, {2, "part", "wheel"}};
+    const view::SceneRecord record = view::robot_record(robot, nullptr, {path, answer, handovers});
+    const view::RecordedBody& part = record.bodies[1];
+    ASSERT_EQ(part.name, "part");
+    const auto place = [&](double time) -> Eigen::Vector3d { return shown_at(part, time).translation(); };
+    // joints turn about x; the wheel turns twice as far as the shaft
+    EXPECT_LT((place(0) - Eigen::Vector3d(0, 2, 0)).norm(), 1e-12);
+    for (const double time : {1.0, 1.3, 2.0})
+        EXPECT_LT((place(time) - Eigen::Vector3d(0, 0, 2)).norm(), 1e-2) << time;
+    EXPECT_LT((place(3) - Eigen::Vector3d(0, 0, 2)).norm(), 1e-12) << "a whole turn of the wheel";
+    EXPECT_LT((place(2.5) - Eigen::Vector3d(0, 0, -2)).norm(), 1e-2) << "half a turn of the wheel";
 }
 
 } // namespace
