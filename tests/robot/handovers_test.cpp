@@ -154,6 +154,17 @@ TEST(Handovers, CountWhatIsNotTested) {
     EXPECT_EQ(answer.untested->count(UntestedReason::at_rest), 1U);
     EXPECT_EQ(answer.untested->count(UntestedReason::ignored), 1U);
     EXPECT_EQ(before.total() + before.tested, answer.untested->total() + answer.untested->tested);
+    // a palm above the upper hand: it moves against the cube at first, and with it later
+    RobotDescription with_palm = e.upper.description();
+    with_palm.links.push_back({"palm", {{make_box({0.2, 0.2, 0.2})}}});
+    with_palm.joints.push_back({"fixed", JointType::fixed, "hand", "palm", Pose({0, 0, 0.5}, {1, 0, 0, 0})});
+    Robot cell = Robot::together({{"lower", e.lower}, {"upper", Robot(with_palm)}});
+    cell.attach(e.cell.attached()[0]);
+    const RobotAnswer palm = RobotChecker(cell).first_contact(e.path, std::array{e.taken});
+    EXPECT_EQ(RobotChecker(cell).untested().tested, 4U) << "the lower hand and the cube with the hand and the palm";
+    EXPECT_EQ(palm.untested->tested, 2U) << "both hands, and the palm with the lower hand";
+    EXPECT_EQ(palm.untested->count(UntestedReason::at_rest), 3U);
+    EXPECT_EQ(std::ranges::count(palm.untested->named, "cube", &UntestedPair::second), 3);
 }
 
 TEST(Handovers, RefuseWhatDoesNotFit) {
