@@ -45,7 +45,8 @@ def plot_matrix(matrix: DistanceMatrix, axes: Axes | None = None) -> Axes:
         from matplotlib.colors import ListedColormap
 
         axes.imshow(touching, cmap=ListedColormap([IN_CONTACT]))
-    axes.set(xlim=(-0.5, count - 0.5), ylim=(count - 0.5, -0.5))
+    end = max(count, 1) - 0.5
+    axes.set(xlim=(-0.5, end), ylim=(end, -0.5))
     axes.set_xticks(range(count), matrix.names, rotation=90)
     axes.set_yticks(range(count), matrix.names)
     if count <= MOST_WITH_NUMBERS:

@@ -35,7 +35,7 @@ function shownBodies({ bodies, matrix }: SceneRecord): number[] {
 }
 
 function distanceText(pair: PairDistance): string {
-  const [lower, upper] = [pair.distance, pair.distance_upper].map((number) => number.toPrecision(4));
+  const [lower, upper] = [pair.distance, pair.distance_upper].map((number) => (number === 0 ? "0" : number.toPrecision(4)));
   return pair.certain ? lower : `${lower} to ${upper}`;
 }
 
