@@ -81,7 +81,7 @@ Vector3d centre_of_mass(const io::PolygonSoup& soup) {
     return soup.faces.size() >= 4 && volume > 0 ? Vector3d(of_volume / volume) : Vector3d(of_area / area);
 }
 
-struct Shape {
+struct FixtureShape {
     Polyhedron polyhedron;
     Vector3d centre; ///< of mass, from the origin of the scaled mesh
 };
@@ -91,7 +91,7 @@ class Shapes {
 public:
     explicit Shapes(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    const Shape& get(const Json& body) {
+    const FixtureShape& get(const Json& body) {
         const std::string key = body.value("mesh", "") + body.value("scale", Json()).dump() +
                                 body.value("dimensions", Json()).dump() + body.value("vertices", Json()).dump();
         const auto found = shapes_.find(key);
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Shape make(const Json& body) const {
+    [[nodiscard]] FixtureShape make(const Json& body) const {
         io::PolygonSoup soup =
             body.contains("mesh") ? io::load_polygons(folder_ / body["mesh"].get<std::string>()) : wire_in(body);
         const Vector3d scale = scale_in(body, soup.vertices);
@@ -112,7 +112,7 @@ private:
     }
 
     std::filesystem::path folder_;
-    std::map<std::string, Shape> shapes_;
+    std::map<std::string, FixtureShape> shapes_;
 };
 
 using Freedoms = std::array<double, 6>; ///< 1 for a freedom, 0 for a fixed one
@@ -140,7 +140,7 @@ std::string group_in(const Json& body, const std::set<int>& fixed_groups) {
     return group < 0 ? "" : "group " + std::to_string(group);
 }
 
-RigidIpcBody body_in(const Json& body, const Shape& shape, const Vector3d& gravity) {
+RigidIpcBody body_in(const Json& body, const FixtureShape& shape, const Vector3d& gravity) {
     const Freedoms freedoms = freedoms_in(body);
     const Vector3d moves(freedoms[0], freedoms[1], freedoms[2]), turns(freedoms[3], freedoms[4], freedoms[5]);
     const Eigen::Quaterniond turn = turn_in(body);
