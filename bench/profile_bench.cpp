@@ -41,25 +41,28 @@ struct Judged {
 };
 
 struct Times {
-    std::vector<double> least, profile, ratio, steps;
+    std::vector<double> least, profile, ratio, ratio_apart, steps; ///< the fourth of those where nothing touches
 
     void add(double of_least, double of_profile, const DistanceProfile& found) {
+        if (found.free().size() == 1 && found.free().front().upper - found.free().front().lower == 1)
+            ratio_apart.push_back(of_profile / of_least);
         least.push_back(of_least);
         profile.push_back(of_profile);
         ratio.push_back(of_profile / of_least);
         steps.push_back(double(found.times.size() - 1));
     }
     void print(const std::string& name, const Judged& judged, std::size_t wide) const {
-        std::printf("%-30s %6zu %10.1f %10.1f %7.1f %7.1f %7.1f %8.0f %6zu %10zu %6zu %6zu\n", name.c_str(),
+        std::printf("%-30s %6zu %10.1f %10.1f %7.1f %7.1f %6zu %7.1f %7.1f %8.0f %6zu %10zu %6zu %6zu\n", name.c_str(),
                     ratio.size(), median(least), median(profile), median(ratio), quantile(ratio, 0.9),
-                    quantile(ratio, 1), median(steps), wide, judged.poses, judged.below, judged.above);
+                    ratio_apart.size(), median(ratio_apart), quantile(ratio_apart, 0.9), median(steps), wide,
+                    judged.poses, judged.below, judged.above);
         std::fflush(stdout);
     }
 };
 
 void print_head() {
-    std::printf("%-30s %6s %10s %10s %7s %7s %7s %8s %6s %10s %6s %6s\n", "family", "asked", "least, us", "prof., us",
-                "ratio", "90 %", "most", "steps", "wide", "poses", "below", "above");
+    std::printf("%-30s %6s %10s %10s %7s %7s %6s %7s %7s %8s %6s %10s %6s %6s\n", "family", "asked", "least, us",
+                "prof., us", "ratio", "90 %", "apart", "ratio", "90 %", "steps", "wide", "poses", "below", "above");
 }
 
 Pose random_pose(Draw& draw, double size) {
