@@ -59,7 +59,6 @@ private:
     [[nodiscard]] double time_at(std::size_t piece, double tau) const;
     [[nodiscard]] Witness witness_at(const Place& place) const;
 
-    const WitnessQuery& query_;
     std::vector<PieceContext> pieces_;
     double rounding_ = 0; ///< a bound of the rounding of distances at rest
     Place least_;         ///< the least minimum known
@@ -69,7 +68,7 @@ private:
     Work work_;
 };
 
-WitnessSearch::WitnessSearch(const WitnessQuery& query) : query_(query) {
+WitnessSearch::WitnessSearch(const WitnessQuery& query) {
     const auto pieces = query.trajectory.pieces();
     pieces_.reserve(pieces->size());
     for (std::size_t i = 0; i < pieces->size(); ++i) {
