@@ -82,7 +82,8 @@ DistanceProfile PathProfile::of_segment(std::size_t segment) {
             if (!is_cancelled())
                 add(envelope, pairs, task);
         const double greatest = envelope.greatest_upper();
-        reach_ = std::min(greatest, distance);
+        if (greatest > 0) // else it would never grow again
+            reach_ = std::min(greatest, distance);
         if (greatest <= distance || distance == Pose::largest_length)
             break;
         constexpr double growth = 8;

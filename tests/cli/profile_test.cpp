@@ -59,7 +59,8 @@ TEST_F(ProfileCommand, SaysNeverOnlyWhereThatIsProven) {
         const std::string out = profile(options).out;
         return out.substr(out.find("within"), out.find('\n', out.find("within")) - out.find("within"));
     };
-    EXPECT_EQ(within("--start '0.2 0.2 0.2' --goal '0.3 0.3 0.3' --margins 0"), "within    0: nowhere for sure");
+    EXPECT_EQ(within("--start '0.2 0.2 0.2' --goal '0.3 0.3 0.3' --margins 0"), "within    0: 0 to 1");
+    EXPECT_EQ(within("--start '1 0.2 0.2' --goal '1 0.3 0.3' --margins 0"), "within    0: nowhere for sure");
     EXPECT_EQ(within("--start '3 0 0' --goal '3 1 0' --margins 1.5"), "within    1.5: never");
 }
 
