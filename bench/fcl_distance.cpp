@@ -1,7 +1,6 @@
 #include "bench/fcl_distance.h"
 
 #include "bench/fcl_model.h"
-#include "chasles/motion/any_trajectory.h"
 
 #include <algorithm>
 #include <fcl/narrowphase/distance.h>
@@ -18,16 +17,17 @@ FclDistance::FclDistance(const Polyhedron& moving, const Polyhedron& fixed)
 
 FclDistance::~FclDistance() = default;
 
+double FclDistance::at(const Motion& motion, double time) const {
+    const fcl::Transform3d moving = motion.pose_at(time).isometry(), fixed = motion.fixed_pose_at(time).isometry();
+    fcl::DistanceResultd result;
+    fcl::distance(models_->moving.get(), moving, models_->fixed.get(), fixed, fcl::DistanceRequestd(), result);
+    return std::max(0.0, result.min_distance);
+}
+
 double FclDistance::least(const Motion& motion, int samples) const {
     double least = 1e300;
-    for (int i = 0; i < samples; ++i) {
-        const double time = double(i) / (samples - 1);
-        const fcl::Transform3d pose = motion.trajectory().pose_at(time).isometry();
-        fcl::DistanceResultd result;
-        fcl::distance(models_->moving.get(), pose, models_->fixed.get(), fcl::Transform3d(fcl::Transform3d::Identity()),
-                      fcl::DistanceRequestd(), result);
-        least = std::min(least, std::max(0.0, result.min_distance));
-    }
+    for (int i = 0; i < samples; ++i)
+        least = std::min(least, at(motion, double(i) / (samples - 1)));
     return least;
 }
 

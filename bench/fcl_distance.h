@@ -13,6 +13,8 @@ public:
     FclDistance(const Polyhedron& moving, const Polyhedron& fixed);
     ~FclDistance();
 
+    /// The distance of the bodies at a time; 0 where they overlap.
+    [[nodiscard]] double at(const Motion& motion, double time) const;
     /// The least distance of the bodies at `samples` poses, evenly over the time; 0 where they overlap.
     [[nodiscard]] double least(const Motion& motion, int samples) const;
 

@@ -1,9 +1,10 @@
-// What the distance over time costs beside the least distance of the same question, and whether FCL's distances at
-// dense poses lie within its bounds: pairs on motions of all kinds, scenes, and the Panda in its worlds.
+// The time of a profile beside that of a least distance, and whether FCL's distances lie within its bounds. Asked are
+// pairs on motions of all kinds, scenes, and the Panda in its worlds.
 //
 //     profile_bench [MOTIONS [PATHS [POSES]]]
 #include "bench/bodies.h"
 #include "bench/draw.h"
+#include "bench/fcl_distance.h"
 #include "bench/fcl_robot.h"
 #include "bench/generated_bodies.h"
 #include "bench/panda_worlds.h"
@@ -93,17 +94,9 @@ Motion random_motion(Draw& draw, int kind, double radius) {
 
 constexpr const char* kinds[] = {"screw", "sweep", "velocity", "twist", "hinge", "both move", "spline"};
 
-double sampled_distance(const fcl::BVHModel<fcl::OBBRSSd>& moving, const fcl::BVHModel<fcl::OBBRSSd>& fixed,
-                        const Motion& motion, double time) {
-    fcl::DistanceResultd result;
-    fcl::distance(&moving, motion.pose_at(time).isometry(), &fixed, motion.fixed_pose_at(time).isometry(),
-                  fcl::DistanceRequestd(), result);
-    return std::max(0.0, result.min_distance);
-}
-
 void run_pairs(const NamedBody& a, const NamedBody& b, std::size_t count, int poses) {
     const double radius = a.body.body().bvh().radius();
-    const auto moving = fcl_model_of(a.body), fixed = fcl_model_of(b.body);
+    const FclDistance peer(a.body, b.body);
     Draw draw(45);
     for (int kind = 0; kind < int(std::size(kinds)); ++kind) {
         Times times;
@@ -118,7 +111,7 @@ void run_pairs(const NamedBody& a, const NamedBody& b, std::size_t count, int po
             wide += found.certain ? 0 : 1;
             for (int k = 0; k < poses; ++k) {
                 const double time = (k + 0.5) / poses;
-                judged.compare(found, time, sampled_distance(*moving, *fixed, motion, time), fcl_rounding * radius);
+                judged.compare(found, time, peer.at(motion, time), fcl_rounding * radius);
             }
         }
         times.print(a.name + " by " + b.name + ", " + kinds[kind], judged, wide);

@@ -34,7 +34,7 @@ public:
         has_stamps_ = !rows.stamps.empty();
         return path_of(robot, rows, *file);
     }
-    /// Of one of several robots; it rests if there is one row.
+    /// The path of one of several robots. A file with one row says where the robot rests.
     std::variant<JointPath, Configuration> read_member(const std::string& name, const Robot& robot,
                                                        const std::string& file) {
         const robot::ConfigurationRows rows = rows_of(robot, file, 1, name + ": ");

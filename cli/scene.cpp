@@ -156,12 +156,8 @@ private:
 
 std::string report_of(const SceneOptions& options, const SceneFile& file, const SceneAnswer& answer,
                       const SceneQuery& asked) {
-    if (options.json) {
-        view::Json json = view::scene_answer_json(file.scene, answer, options.all);
-        json["motion"] = {{"kind", file.motion}};
-        add_warnings(json, file.warnings);
-        return json.dump() + "\n";
-    }
+    if (options.json)
+        return json_line(view::scene_answer_json(file.scene, answer, options.all), file);
     return options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
 }
 

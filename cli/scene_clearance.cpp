@@ -29,9 +29,7 @@ std::string json_of(const SceneFile& file, const SceneDistance& found, ExitStatu
     view::Json answer = view::scene_distance_json(file.scene, found);
     if (status == is_unknown)
         answer["verdict"] = view::name_of(Verdict::unknown);
-    answer["motion"] = {{"kind", file.motion}};
-    add_warnings(answer, file.warnings);
-    return answer.dump() + "\n";
+    return json_line(std::move(answer), file);
 }
 
 } // namespace
@@ -63,9 +61,7 @@ int run_scene_profile(const SceneProfileQuestion& question) {
     if (question.json) {
         view::Json json = request.json(found, status);
         json["untested"] = view::untested_json(answer.untested);
-        json["motion"] = {{"kind", file.motion}};
-        add_warnings(json, file.warnings);
-        print(json.dump() + "\n");
+        print(json_line(std::move(json), file));
     } else {
         print(profile_headline(found.distance, file.motion) + report(answer.untested) + request.text(found));
     }

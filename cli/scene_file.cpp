@@ -9,6 +9,7 @@
 #include "cli/report.h"
 #include "cli/scene_shapes.h"
 #include "cli/strict_json.h"
+#include "cli/warnings.h"
 #include "view/names.h"
 
 #include <algorithm>
@@ -310,6 +311,12 @@ SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions&
         require_object(text);
         return scene_in(parse_json(text), file.parent_path(), options, margin);
     });
+}
+
+std::string json_line(nlohmann::ordered_json answer, const SceneFile& file) {
+    answer["motion"] = {{"kind", file.motion}};
+    add_warnings(answer, file.warnings);
+    return answer.dump() + "\n";
 }
 
 } // namespace chasles::cli

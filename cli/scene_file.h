@@ -4,6 +4,7 @@
 #include "chasles/chasles.h"
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct SceneFile {
     std::string motion; ///< how the bodies move: "velocity", "twist", "velocity and twist", or "rest"
     std::vector<std::string> warnings = {}; ///< of the robots that are bodies
 };
+
+/// An answer about a scene file, with its motion and its warnings, as a line of text.
+std::string json_line(nlohmann::ordered_json answer, const SceneFile& file);
 
 /// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. `margin` counts
 /// instead of that of the file, also for what touches at the start. Throws InvalidInput "FILE: PLACE: WHY", for an

@@ -13,6 +13,7 @@
 #include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/names.h"
+#include "view/nearest_first.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
 
@@ -23,23 +24,8 @@
 namespace chasles::cli {
 namespace {
 
-constexpr std::size_t most_lines = 100;
-
 std::string pair_text(const Scene& scene, const PairDistance& pair) {
     return scene.bodies()[pair.moving].name + " on " + scene.bodies()[pair.fixed].name;
-}
-
-/// Pairs in contact first, by their times, then all others by their distances.
-std::vector<const PairDistance*> nearest_first(const DistanceMatrix& found) {
-    std::vector<const PairDistance*> pairs;
-    for (const PairDistance& pair : found.pairs)
-        pairs.push_back(&pair);
-    std::ranges::stable_sort(pairs, {}, [](const PairDistance* pair) {
-        const LeastDistance& nearest = pair->nearest;
-        const bool touches = nearest.distance.upper == 0;
-        return std::tuple(!touches, touches ? nearest.time.lower : nearest.distance.lower, nearest.distance.upper);
-    });
-    return pairs;
 }
 
 std::size_t count_of(const DistanceMatrix& found, Verdict verdict) {
@@ -76,20 +62,13 @@ std::string touch_text(const LeastDistance& nearest) {
     return nearest.overlap ? "at the start, overlapping" : "at the start";
 }
 
-std::string distance_text(const LeastDistance& nearest) {
-    if (nearest.certain)
-        return fmt::format("{:.9g}", nearest.distance.lower);
-    return fmt::format("{:.6g} to {:.6g}", nearest.distance.lower, nearest.distance.upper);
-}
-
 std::string text_of(const SceneFile& file, const DistanceMatrix& found, bool time_was_over) {
     std::string text = naming_motion(headline_of(found, time_was_over), file.motion) + report(found.untested);
-    std::vector<const PairDistance*> pairs = nearest_first(found);
-    pairs.resize(std::min(pairs.size(), most_lines));
+    const std::vector<const PairDistance*> pairs = view::nearest_first(found);
     std::size_t width = 0, numbers = 0;
     for (const PairDistance* pair : pairs) {
         width = std::max(width, pair_text(file.scene, *pair).size());
-        numbers = std::max(numbers, distance_text(pair->nearest).size());
+        numbers = std::max(numbers, view::distance_text(pair->nearest).size());
     }
     std::string last;
     for (const PairDistance* pair : pairs) {
@@ -98,8 +77,8 @@ std::string text_of(const SceneFile& file, const DistanceMatrix& found, bool tim
         const std::string name = fmt::format("{:<{}}  ", pair_text(file.scene, *pair), width);
         text += labelled(label == last ? "" : label,
                          label == "contact" ? name + touch_text(nearest)
-                                            : fmt::format("{}{:<{}}  at time {}", name, distance_text(nearest), numbers,
-                                                          time_text(nearest.time.lower)));
+                                            : fmt::format("{}{:<{}}  at time {}", name, view::distance_text(nearest),
+                                                          numbers, time_text(nearest.time.lower)));
         last = label;
     }
     if (found.pairs.size() > pairs.size())
@@ -115,9 +94,7 @@ std::string json_of(const SceneFile& file, const DistanceMatrix& found, ExitStat
     view::Json answer = view::distance_matrix_json(file.scene, found);
     if (status == is_unknown)
         answer["verdict"] = view::name_of(Verdict::unknown);
-    answer["motion"] = {{"kind", file.motion}};
-    add_warnings(answer, file.warnings);
-    return answer.dump() + "\n";
+    return json_line(std::move(answer), file);
 }
 
 std::string csv_of(const Scene& scene, const DistanceMatrix& found) {

@@ -1,6 +1,7 @@
 #include "chasles/query/distance_gradient.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/motion/turn_about.h"
 #include "chasles/query/agreement.h"
 #include "chasles/query/witnesses.h"
 
@@ -40,7 +41,7 @@ public:
             gradient[i] = rate(witness, translation_step(),
                                [&](double step) { return Pose(goal_.translation + step * axis, goal_.rotation); });
             gradient[3 + i] = rate(witness, turn_step, [&](double step) {
-                return Pose(goal_.translation, small_turn(step * axis) * goal_.rotation);
+                return Pose(goal_.translation, turn_about(axis, step) * goal_.rotation);
             });
         }
         return gradient;
@@ -48,14 +49,6 @@ public:
 
 private:
     static constexpr double turn_step = 0x1p-17;
-
-    /// A turn by a rotation vector, the same bits on every machine: tan(x) = x within 2e-11 of x up to `turn_step` / 2.
-    [[nodiscard]] static Eigen::Quaterniond small_turn(const Eigen::Vector3d& vector) {
-        Eigen::Quaterniond turn;
-        turn.w() = 1;
-        turn.vec() = vector / 2;
-        return turn.normalized();
-    }
 
     /// Places depend on it linearly, so that a long step has the least rounding.
     [[nodiscard]] double translation_step() const {

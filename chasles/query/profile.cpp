@@ -47,10 +47,11 @@ private:
 
     bool search();
     bool search(const PieceContext& piece);
-    bool add_far_part(const Bracket& part);
-    bool add_part(const Knot& start, const Knot& end);
+    /// `others` is the greatest upper bound of other distances in the part.
+    bool add_far_part(const Bracket& part, double others);
+    bool add_part(const Knot& start, const Knot& end, double others);
     [[nodiscard]] double greatest_of_others(const Bracket& tau) const;
-    [[nodiscard]] std::optional<DistanceBounds> beyond_others(const Knot& start, const Knot& end);
+    [[nodiscard]] std::optional<DistanceBounds> beyond(double others, const Knot& start, const Knot& end);
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
     DistanceBounds touching_bounds(const Knot& start, const Knot& end);
@@ -122,17 +123,18 @@ Bracket ProfileSearch::of_balls() const {
 }
 
 /// The bounds of a part that needs no closer ones, because another distance is less all along.
-std::optional<DistanceBounds> ProfileSearch::beyond_others(const Knot& start, const Knot& end) {
-    if (start.touch != Touch::apart || end.touch != Touch::apart)
-        return std::nullopt;
-    const double others = greatest_of_others({start.near.tau, end.near.tau});
-    if (std::min(start.near.distance, end.near.distance) - radii_ < others)
+std::optional<DistanceBounds> ProfileSearch::beyond(double others, const Knot& start, const Knot& end) {
+    const bool may_be = start.touch == Touch::apart && end.touch == Touch::apart &&
+                        std::min(start.near.distance, end.near.distance) - radii_ >= others;
+    if (!may_be)
         return std::nullopt;
     const DistanceBounds bounds = of_bodies(*knots_.bounds().between(start.near, end.near, std::nullopt));
     return bounds.lower.least() >= others ? std::optional(bounds) : std::nullopt;
 }
 
 double ProfileSearch::greatest_of_others(const Bracket& tau) const {
+    if (question_.others.is_empty())
+        return std::numeric_limits<double>::infinity();
     const Bracket& part = question_.part;
     const auto in_part = [&](double end) { return part.lower + time_of(*piece_, end) * (part.upper - part.lower); };
     return question_.others.greatest_upper({in_part(tau.lower), in_part(tau.upper)});
@@ -151,14 +153,15 @@ bool ProfileSearch::search(const PieceContext& piece) {
     std::vector<End> ends{{1}};
     while (!ends.empty() && !is_cancelled()) {
         End& end = ends.back();
-        bool is_done = add_far_part({start.tau, end.tau});
+        const double others = greatest_of_others({start.tau, end.tau});
+        bool is_done = add_far_part({start.tau, end.tau}, others);
         if (!is_done) {
             if (!start.knot)
                 start.knot = knots_.beside(start.tau, {});
             const End* const later = ends.size() > 1 ? &end - 1 : nullptr;
             if (!end.knot)
                 end.knot = knots_.beside(end.tau, {&start.knot, later ? &later->knot : nullptr});
-            is_done = add_part(*start.knot, *end.knot);
+            is_done = add_part(*start.knot, *end.knot, others);
         }
         if (is_done) {
             start = std::move(end);
@@ -172,10 +175,7 @@ bool ProfileSearch::search(const PieceContext& piece) {
 }
 
 /// Without knots, where balls around the bodies are so far apart that another distance is less all along.
-bool ProfileSearch::add_far_part(const Bracket& part) {
-    if (question_.others.is_empty())
-        return false;
-    const double others = greatest_of_others(part);
+bool ProfileSearch::add_far_part(const Bracket& part, double others) {
     if (std::isinf(others) ||
         (others > 0 && !knots_.bounds().are_balls_beyond(part.lower, part.upper, others + radii_)))
         return false;
@@ -184,14 +184,14 @@ bool ProfileSearch::add_far_part(const Bracket& part) {
 }
 
 /// False if the part is to be halved.
-bool ProfileSearch::add_part(const Knot& start, const Knot& end) {
+bool ProfileSearch::add_part(const Knot& start, const Knot& end, double others) {
     const Bracket part{start.near.tau, end.near.tau};
     const bool is_last = part.upper - part.lower <= shortest_part || ++parts_ > most_parts;
     if (knots_.overlap_all_along(start, end)) {
         steps_.add_one(part, 0, 0);
         return true;
     }
-    if (const auto far = beyond_others(start, end)) {
+    if (const auto far = beyond(others, start, end)) {
         steps_.add_one(part, far->lower.least(), far->upper.greatest());
         return true;
     }

@@ -52,25 +52,26 @@ ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> m
 
 /// Before the first contact nothing touches, nor while the surfaces stay apart from a knot on where nothing does.
 ProfileKnot ProfileKnots::at(double tau, std::span<const ProfileKnot* const> known) {
-    Features guesses;
+    std::vector<contact::FeaturePair> guesses;
     for (const ProfileKnot* knot : known)
         if (knot->near.distance > 0)
             guesses.push_back(knot->near.features);
     const bool is_before_contact = clear_until_ == 1 || time_of(piece_->piece(), tau) < clear_until_;
     const auto is_apart = [](const ProfileKnot* knot) { return knot->touch == Touch::apart; };
+    const auto nearest = [&] { return bounds_->nearest_at(tau, guesses, error_); };
     if (!is_before_contact && std::ranges::none_of(known, is_apart))
-        return in_contact(tau, guesses);
-    const NearKnot near = bounds_->nearest_at(tau, guesses, error_);
+        return in_contact(tau, nearest);
+    const NearKnot near = nearest();
     const auto stays_apart = [&](const ProfileKnot* knot) {
         return is_apart(knot) && (knot->near.tau < tau ? bounds_->are_beyond(knot->near, near, radii_)
                                                        : bounds_->are_beyond(near, knot->near, radii_));
     };
     if (is_before_contact || std::ranges::any_of(known, stays_apart))
         return {near, Touch::apart};
-    return in_contact(tau, guesses);
+    return in_contact(tau, [&] { return near; });
 }
 
-ProfileKnot ProfileKnots::in_contact(double tau, const Features& guesses) {
+ProfileKnot ProfileKnots::in_contact(double tau, const std::function<NearKnot()>& nearest) {
     const Pose moving = piece_->piece().pose_at(tau), fixed = piece_->piece().fixed_pose_at(tau);
     const Motion at_rest = Motion::at_rest(Pose(fixed.isometry().inverse() * moving.isometry()));
     const FirstContact found =
@@ -83,7 +84,7 @@ ProfileKnot ProfileKnots::in_contact(double tau, const Features& guesses) {
     const Touch touch = found.inside                                 ? Touch::nested
                         : found.verdict == Verdict::contact_at_start ? Touch::meets
                                                                      : Touch::apart;
-    return {bounds_->nearest_at(tau, guesses, error_), touch};
+    return {nearest(), touch};
 }
 
 /// The overlap with the face of the library's body, of those with its id in the input.

@@ -4,6 +4,7 @@
 #include "chasles/query/pair_query.h"
 #include "chasles/search/chord_bounds.h"
 
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -47,11 +48,9 @@ public:
     [[nodiscard]] Work work() const;
 
 private:
-    using Features = std::vector<contact::FeaturePair>;
-
     ProfileKnot at(double tau, std::span<const ProfileKnot* const> known);
     /// The bodies are tested at rest there.
-    ProfileKnot in_contact(double tau, const Features& guesses);
+    ProfileKnot in_contact(double tau, const std::function<search::NearKnot()>& nearest);
     [[nodiscard]] std::optional<Overlap> lasting(Overlap overlap, const search::NearKnot& near) const;
     [[nodiscard]] std::optional<ProfileKnot> overlapping(double tau, const ProfileKnot& near) const;
 

@@ -82,8 +82,7 @@ DistanceProfile PathProfile::of_segment(std::size_t segment) {
             if (!is_cancelled())
                 add(envelope, pairs, task);
         const double greatest = envelope.greatest_upper();
-        if (greatest > 0) // else it would never grow again
-            reach_ = std::min(greatest, distance);
+        reach_ = std::max(robot::first_distance(prepared), std::min(greatest, distance));
         if (greatest <= distance || distance == Pose::largest_length)
             break;
         constexpr double growth = 8;

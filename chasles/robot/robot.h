@@ -164,8 +164,8 @@ private:
     std::shared_ptr<const robot::Model> model_; ///< never changes; a changed robot has another one
 };
 
-/// From a stamp of a path on, a part moves with another link. It keeps the place in the world that it has at the stamp:
-/// a robot takes it from another one, or from the root link, on which it lies, and puts it down there.
+/// From a stamp of a path on, a part moves with another link. At the stamp its place in the world stays the same. So
+/// one robot takes it from another one. On the root link it lies at rest.
 struct Handover {
     double stamp = 0; ///< at which a segment of the path ends, and the next one begins
     std::string part; ///< that is attached to the robot

@@ -8,6 +8,7 @@
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
+#include "view/nearest_first.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,7 +16,6 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
-#include <tuple>
 
 namespace chasles::python {
 namespace {
@@ -74,10 +74,9 @@ std::string summary(const PythonMatrix& matrix) {
                        not_tested > 0 ? fmt::format(", {} not tested", not_tested) : "");
 }
 
-std::string distance_text(const LeastDistance& found) {
+std::string result_text(const LeastDistance& found) {
     if (found.distance.upper > 0)
-        return found.certain ? fmt::format("{:.9g}", found.distance.lower)
-                             : fmt::format("{:.6g} to {:.6g}", found.distance.lower, found.distance.upper);
+        return view::distance_text(found);
     if (found.inside)
         return "contact, inside";
     return found.overlap ? "contact, overlapping" : "contact";
@@ -85,19 +84,10 @@ std::string distance_text(const LeastDistance& found) {
 
 /// A line for each pair: those in contact first, by their times, then the nearest ones.
 std::string table_of(const PythonMatrix& matrix) {
-    constexpr std::size_t most = 100;
-    std::vector<const PairDistance*> pairs;
-    for (const PairDistance& pair : matrix.found.pairs)
-        pairs.push_back(&pair);
-    std::ranges::stable_sort(pairs, {}, [](const PairDistance* pair) {
-        const LeastDistance& nearest = pair->nearest;
-        const bool touches = nearest.distance.upper == 0;
-        return std::tuple(!touches, touches ? nearest.time.lower : nearest.distance.lower, nearest.distance.upper);
-    });
-    pairs.resize(std::min(pairs.size(), most));
+    const std::vector<const PairDistance*> pairs = view::nearest_first(matrix.found);
     std::string text = summary(matrix);
     for (const PairDistance* pair : pairs)
-        text += fmt::format("\n{:<24}at time {:<18}{} on {}", distance_text(pair->nearest),
+        text += fmt::format("\n{:<24}at time {:<18}{} on {}", result_text(pair->nearest),
                             time_text(pair->nearest.time.lower), matrix.names[pair->moving], matrix.names[pair->fixed]);
     const std::size_t left = matrix.found.pairs.size() - pairs.size();
     return left > 0 ? text + fmt::format("\nand {} more, farther apart", left) : text;

@@ -4,7 +4,7 @@
 #include "chasles/algebra/double_double.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/robot/model.h"
-#include "tests/robot/random_robot.h"
+#include "tests/robot/random_paths.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -12,33 +12,8 @@
 namespace chasles::test {
 namespace {
 
-/// One revolute, one continuous and one prismatic joint.
-Robot small_robot() {
-    RobotDescription robot{"small"};
-    robot.links = {{"base"}, {"a"}, {"b"}, {"c"}};
-    robot.joints = {{"turn", JointType::revolute, "base", "a"},
-                    {"spin", JointType::continuous, "a", "b"},
-                    {"slide", JointType::prismatic, "b", "c"}};
-    return Robot(robot);
-}
-
-std::vector<Configuration> random_configurations(Random& random, std::size_t count, double size) {
-    std::vector<Configuration> all;
-    const Robot robot = small_robot();
-    for (std::size_t i = 0; i < count; ++i)
-        all.push_back(random_configuration(random, robot, size));
-    return all;
-}
-
-std::vector<double> random_times(Random& random, std::size_t count) {
-    std::vector<double> times{random.uniform(-3, 3)};
-    while (times.size() < count)
-        times.push_back(times.back() + random.uniform(0.1, 2));
-    return times;
-}
-
 TEST(JointPath, GoesStraightAndTheShorterWayRound) {
-    const Robot robot = small_robot();
+    const Robot robot = three_joint_robot();
     Configuration start(3), goal(3);
     start << 0.5, 3, 1;
     goal << -3, -3, 2;
@@ -102,8 +77,9 @@ TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
     const std::string beyond = " is beyond 1000, the largest value: ",
                       turns = " is beyond 1000 radians (57295.8 degrees), the largest value: take whole turns off all "
                               "its values";
-    EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + turns);
-    EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
+    EXPECT_EQ(refused(three_joint_robot(), 0), "path: configuration 0: turn" + turns);
+    EXPECT_EQ(refused(three_joint_robot(), 2),
+              "path: configuration 0: slide" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
               "path: configuration 0: spin" + turns +
                   ", and add each turn times the multiplier to the offset of a joint that follows it");
@@ -115,7 +91,7 @@ TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
     EXPECT_EQ(refused(robot, 0), "path: configuration 0: plane/x" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(robot, 6), "path: configuration 0: float/rot_x" + beyond + "give the quaternion the length 1");
     const Configuration largest = Configuration::Constant(3, 1000);
-    EXPECT_EQ(JointPath::straight(small_robot(), std::array{largest, largest}).at(0), largest);
+    EXPECT_EQ(JointPath::straight(three_joint_robot(), std::array{largest, largest}).at(0), largest);
 }
 
 /// The rate of an order at an end of a segment, by its coefficients.
@@ -133,12 +109,13 @@ Configuration rate(const JointPath::Segment& segment, int order, bool at_end) {
 
 TEST(JointPath, SplinesHaveTheGivenRates) {
     Random random(2101);
-    const Robot robot = small_robot();
+    const Robot robot = three_joint_robot();
     for (int trial = 0; trial < 50; ++trial) {
         const std::size_t count = std::size_t(random.integer(2, 6));
-        const std::vector<double> times = random_times(random, count);
-        const auto p = random_configurations(random, count, 2), v = random_configurations(random, count, 2),
-                   a = random_configurations(random, count, 2);
+        const std::vector<double> times = random_stamps(random, count);
+        const auto p = random_configurations(random, three_joint_robot(), count, 2),
+                   v = random_configurations(random, three_joint_robot(), count, 2),
+                   a = random_configurations(random, three_joint_robot(), count, 2);
         const JointPath cubic = JointPath::cubic(robot, times, p, v);
         const JointPath quintic = JointPath::quintic(robot, times, p, v, a);
         for (std::size_t i = 0; i + 1 < count; ++i)
@@ -155,11 +132,11 @@ TEST(JointPath, SplinesHaveTheGivenRates) {
 
 TEST(JointPath, ANaturalSplineIsSmoothAndEndsWithoutAcceleration) {
     Random random(2102);
-    const Robot robot = small_robot();
+    const Robot robot = three_joint_robot();
     for (int trial = 0; trial < 50; ++trial) {
         const std::size_t count = std::size_t(random.integer(2, 8));
-        const std::vector<double> times = random_times(random, count);
-        const auto p = random_configurations(random, count, 2);
+        const std::vector<double> times = random_stamps(random, count);
+        const auto p = random_configurations(random, three_joint_robot(), count, 2);
         const JointPath path = JointPath::natural_spline(robot, times, p);
         const auto acceleration = [&](std::size_t segment, int end) {
             return rate(path.segments()[segment], 2, end == 1);
@@ -176,10 +153,10 @@ TEST(JointPath, ANaturalSplineIsSmoothAndEndsWithoutAcceleration) {
 /// In double, start + (goal - start) may miss the goal by a rounding; something thin may be in the gap.
 TEST(JointPath, StraightSegmentsMeetWithoutAGap) {
     Random random(2103);
-    const Robot robot = small_robot();
+    const Robot robot = three_joint_robot();
     std::size_t gaps_in_double = 0;
     for (int trial = 0; trial < 200; ++trial) {
-        auto p = random_configurations(random, 3, 1);
+        auto p = random_configurations(random, three_joint_robot(), 3, 1);
         p[0] /= 3; // so that differences are rounded
         p[1] /= 7;
         const JointPath path = JointPath::straight(robot, p);
@@ -197,7 +174,7 @@ TEST(JointPath, StraightSegmentsMeetWithoutAGap) {
 }
 
 TEST(JointPath, RefusesWhatItCannotFollow) {
-    const Robot robot = small_robot();
+    const Robot robot = three_joint_robot();
     const Configuration zero = Configuration::Zero(3);
     Configuration bad = zero;
     const auto straight = [&](const std::vector<Configuration>& way) {

@@ -69,13 +69,33 @@ TEST(RobotProfile, IsTheLeastOfAllPairsInEachSegment) {
     EXPECT_GT(several, 5U);
 }
 
-/// A cube of edge 1 slides along the x axis past two posts.
-TEST(RobotProfile, NamesThePostThatIsNearestInStamps) {
+/// A cube of edge 1 on a slide along the x axis.
+Robot sliding_cube() {
     RobotDescription description{"slide"};
     description.links = {{"base"}, {"cube", {{box({0.5, 0.5, 0.5}).polyhedron(), Pose()}}}};
     description.joints = {{"way", JointType::prismatic, "base", "cube"}};
     description.joints[0].axis = Eigen::Vector3d::UnitX();
-    const Robot robot(description);
+    return Robot(description);
+}
+
+/// The distance is 0 during the whole first segment, so nothing tells how far pairs of the second one are apart.
+TEST(RobotProfile, GoesOnAfterASegmentOfOverlap) {
+    const Limit limit(20);
+    const Robot robot = sliding_cube();
+    Scene scene;
+    scene.add({"post", box({0.1, 0.1, 5}).polyhedron(), Motion::at_rest(shifted(1, 0.2, 0))});
+    const std::vector<Configuration> knots{Configuration::Constant(1, 0.8), Configuration::Constant(1, 1.2),
+                                           Configuration::Constant(1, 8)};
+    const DistanceProfile found = RobotChecker(robot, &scene).profile(JointPath::straight(robot, knots), {}).distance;
+    EXPECT_TRUE(found.certain);
+    EXPECT_EQ(found.upper[step_of(found, 0.5)], 0);
+    EXPECT_LE(found.lower[step_of(found, 1.5)], 4.6 - 1.6);
+    EXPECT_GE(found.upper[step_of(found, 1.5)], 4.6 - 1.6);
+}
+
+/// Past two posts.
+TEST(RobotProfile, NamesThePostThatIsNearestInStamps) {
+    const Robot robot = sliding_cube();
     Scene scene;
     scene.add({"first", box({0.1, 0.1, 5}).polyhedron(), Motion::at_rest(shifted(2, 1.6, 0))});
     scene.add({"second", box({0.1, 0.1, 5}).polyhedron(), Motion::at_rest(shifted(6, 1.1, 0))});

@@ -1,7 +1,7 @@
 // Paths of several robots with stamps of their own, cut at all stamps: against exact rationals.
 #include "chasles/algebra/sine_cosine.h"
 #include "chasles/robot/model.h"
-#include "tests/robot/random_robot.h"
+#include "tests/robot/random_paths.h"
 #include "tests/support/rational.h"
 #include "tests/support/refusal.h"
 
@@ -13,16 +13,6 @@ namespace {
 
 using Segment = JointPath::Segment;
 
-/// One revolute, one continuous and one prismatic joint.
-Robot three_joints() {
-    RobotDescription robot{"small"};
-    robot.links = {{"base"}, {"a"}, {"b"}, {"c"}};
-    robot.joints = {{"turn", JointType::revolute, "base", "a"},
-                    {"spin", JointType::continuous, "a", "b"},
-                    {"slide", JointType::prismatic, "b", "c"}};
-    return Robot(robot);
-}
-
 Robot free_body() {
     RobotDescription robot{"free"};
     robot.links = {{"base"}, {"body"}};
@@ -30,36 +20,22 @@ Robot free_body() {
     return Robot(robot);
 }
 
-std::vector<Configuration> some_configurations(Random& random, const Robot& robot, std::size_t count, double size) {
-    std::vector<Configuration> all;
-    for (std::size_t i = 0; i < count; ++i)
-        all.push_back(random_configuration(random, robot, size));
-    return all;
-}
-
-std::vector<double> some_stamps(Random& random, std::size_t count) {
-    std::vector<double> stamps{random.uniform(-3, 3)};
-    while (stamps.size() < count)
-        stamps.push_back(stamps.back() + random.uniform(0.1, 2));
-    return stamps;
-}
-
 JointPath some_path(Random& random, const Robot& robot) {
     const auto count = std::size_t(random.integer(2, 5));
-    const std::vector<double> stamps = some_stamps(random, count);
+    const std::vector<double> stamps = random_stamps(random, count);
     const bool is_far = random.chance(0.3); // from -300 to 300, digits of the middle would cancel
-    const auto p = some_configurations(random, robot, count, is_far ? 60 : 3),
-               far = some_configurations(random, robot, count, is_far ? 300 : 3),
-               v = some_configurations(random, robot, count, 2), a = some_configurations(random, robot, count, 2);
+    const auto p = random_configurations(random, robot, count, is_far ? 60 : 3),
+               far = random_configurations(random, robot, count, is_far ? 300 : 3),
+               v = random_configurations(random, robot, count, 2), a = random_configurations(random, robot, count, 2);
     switch (random.integer(0, 3)) {
     case 0:
         return JointPath::straight(robot, far, stamps);
     case 1:
-        return JointPath::natural_spline(robot, stamps, some_configurations(random, robot, count, 3));
+        return JointPath::natural_spline(robot, stamps, random_configurations(random, robot, count, 3));
     case 2:
         return JointPath::cubic(robot, stamps, p, v);
     default:
-        return JointPath::quintic(robot, stamps, some_configurations(random, robot, count, 3), v, a);
+        return JointPath::quintic(robot, stamps, random_configurations(random, robot, count, 3), v, a);
     }
 }
 
@@ -112,7 +88,7 @@ void expect_same_polynomial(const Segment& of_cell, Eigen::Index first, const Jo
 
 TEST(PathsTogether, ArePartsOfTheGivenPolynomialsToTheLastDigit) {
     Random random(4211);
-    const Robot robot = three_joints();
+    const Robot robot = three_joint_robot();
     const Robot cell = Robot::together({{"right", robot}, {"left", robot}});
     int cuts = 0;
     for (int trial = 0; trial < 100; ++trial) {
@@ -131,11 +107,11 @@ TEST(PathsTogether, ArePartsOfTheGivenPolynomialsToTheLastDigit) {
 
 TEST(PathsTogether, OnOneClockAreWhatTheyWere) {
     Random random(4212);
-    const Robot robot = three_joints();
+    const Robot robot = three_joint_robot();
     const Robot cell = Robot::together({{"a", robot}, {"b", robot}});
     for (int trial = 0; trial < 20; ++trial) {
-        const std::vector<double> stamps = some_stamps(random, 4);
-        const auto p = some_configurations(random, robot, 4, 5), q = some_configurations(random, robot, 4, 5);
+        const std::vector<double> stamps = random_stamps(random, 4);
+        const auto p = random_configurations(random, robot, 4, 5), q = random_configurations(random, robot, 4, 5);
         std::vector<Configuration> joined;
         for (std::size_t i = 0; i < 4; ++i) {
             joined.emplace_back(6);
@@ -155,7 +131,7 @@ TEST(PathsTogether, OnOneClockAreWhatTheyWere) {
 
 /// Stamps that rounding has made different are two: the segment between them is as short as that.
 TEST(PathsTogether, StampsMayBeNextToEachOther) {
-    const Robot robot = three_joints();
+    const Robot robot = three_joint_robot();
     const Robot cell = Robot::together({{"a", robot}, {"b", robot}});
     const std::array way{Configuration(Configuration::Zero(3)), Configuration(Configuration::Ones(3))};
     const double third = 0.1 + 0.2;
@@ -176,20 +152,20 @@ motion::Quaternion<DoubleDouble> orientation(const Robot& robot, const Segment& 
 /// Parts of an even turn are even turns about the same axis, also of half a turn.
 TEST(PathsTogether, PartsOfEvenTurnsGoWhereTheWholeGoes) {
     Random random(4213);
-    const Robot body = free_body(), robot = three_joints();
+    const Robot body = free_body(), robot = three_joint_robot();
     const Robot cell = Robot::together({{"body", body}, {"arm", robot}});
     int parts = 0;
     for (int trial = 0; trial < 100; ++trial) {
-        auto ends = some_configurations(random, body, 2, 2);
+        auto ends = random_configurations(random, body, 2, 2);
         if (trial % 4 == 0) { // half a turn about x
             ends[0].tail(4) << 0, 0, 0, 1;
             ends[1].tail(4) << 1, 0, 0, trial % 8 == 0 ? 0 : 1e-17;
         }
-        const std::vector<double> stamps = some_stamps(random, 5);
+        const std::vector<double> stamps = random_stamps(random, 5);
         const JointPath own = JointPath::straight(body, ends, std::array{stamps.front(), stamps.back()});
         const JointPath both = JointPath::together(
             cell,
-            {{"body", own}, {"arm", JointPath::straight(robot, some_configurations(random, robot, 5, 2), stamps)}});
+            {{"body", own}, {"arm", JointPath::straight(robot, random_configurations(random, robot, 5, 2), stamps)}});
         for (const Segment& segment : both.segments()) {
             Segment of_body = segment;
             of_body.coefficients = segment.coefficients.leftCols(7).eval();
@@ -211,9 +187,9 @@ TEST(PathsTogether, PartsOfEvenTurnsGoWhereTheWholeGoes) {
 
 TEST(PathsTogether, RobotsRestBeforeTheyBeginAndAfterTheyEnd) {
     Random random(4214);
-    const Robot robot = three_joints();
+    const Robot robot = three_joint_robot();
     const Robot cell = Robot::together({{"a", robot}, {"b", robot}, {"c", robot}, {"fixture", free_body()}});
-    const auto p = some_configurations(random, robot, 3, 5), q = some_configurations(random, robot, 2, 5);
+    const auto p = random_configurations(random, robot, 3, 5), q = random_configurations(random, robot, 2, 5);
     const Configuration rest = random_configuration(random, robot);
     Configuration place = Configuration::Zero(7);
     place[6] = 1;
@@ -234,7 +210,7 @@ TEST(PathsTogether, RobotsRestBeforeTheyBeginAndAfterTheyEnd) {
 }
 
 TEST(PathsTogether, RefuseWhatIsNoPathOfTheCell) {
-    const Robot robot = three_joints(), body = free_body();
+    const Robot robot = three_joint_robot(), body = free_body();
     const Robot cell = Robot::together({{"a", robot}, {"b", body}});
     const Configuration zero = Configuration::Zero(3);
     Configuration place = Configuration::Zero(7);

@@ -4,9 +4,8 @@
 #include "chasles/mesh/primitives.h"
 #include "chasles/motion/own_trajectory.h"
 #include "chasles/scene/scene.h"
-#include "tests/query/bodies.h"
+#include "tests/scene/moving_octahedra.h"
 #include "tests/support/grid.h"
-#include "tests/support/random_poses.h"
 
 #include <algorithm>
 #include <bit>
@@ -20,20 +19,6 @@ namespace chasles::test {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Every third body stands still. Small worlds are crowded.
-Scene world_of(Random& random, int count, double size) {
-    std::mt19937 shapes_random(unsigned(random.integer(0, 1 << 30)));
-    Scene world;
-    for (int i = 0; i < count; ++i) {
-        const Pose start = random_pose(random, size), goal = random_pose(random, size);
-        const Motion motion = i % 3 == 0   ? Motion::at_rest(start)
-                              : i % 3 == 1 ? Motion::velocity(start, goal)
-                                           : Motion::twist(start, goal);
-        world.add({std::to_string(i), random_octahedron(shapes_random).polyhedron(), motion, ""});
-    }
-    return world;
-}
 
 LeastDistance alone(const Scene& world, const PairDistance& pair, const LeastDistanceOptions& options = {}) {
     const SceneBody &moving = world.bodies()[pair.moving], &fixed = world.bodies()[pair.fixed];
@@ -60,7 +45,7 @@ TEST(PairDistances, AreThoseOfEachPairAlone) {
     int apart = 0, touching = 0, at_start = 0;
     for (int trial = 0; trial < 40; ++trial) {
         SCOPED_TRACE(trial);
-        Scene world = world_of(random, random.integer(2, 8), trial % 2 == 0 ? 0.8 : 9);
+        Scene world = moving_octahedra(random, random.integer(2, 8), trial % 2 == 0 ? 0.8 : 9);
         if (world.bodies().size() > 2)
             world.ignore("1", "2");
         const DistanceMatrix found = world.least_distances({.tolerance = 1e-4});
@@ -126,7 +111,7 @@ TEST(PairDistances, OfSpheresAreThoseOfClosedForms) {
 
 TEST(PairDistances, AreTheSameForAnyNumberOfThreads) {
     Random random(4503);
-    const Scene world = world_of(random, 14, 4);
+    const Scene world = moving_octahedra(random, 14, 4);
     const DistanceMatrix one = world.least_distances({}, {.threads = 1});
     for (const unsigned threads : {0U, 2U, 5U}) {
         std::vector<std::size_t> reported;
@@ -150,7 +135,7 @@ TEST(PairDistances, AreEnclosedAtALimit) {
     int without_search = 0, apart = 0, searched = 0;
     for (int trial = 0; trial < 20; ++trial) {
         SCOPED_TRACE(trial);
-        Scene world = world_of(random, 9, 12);
+        Scene world = moving_octahedra(random, 9, 12);
         world.add({"ball", make_sphere(2), Motion::at_rest(random_pose(random, 12)), ""});
         const DistanceMatrix truth = world.least_distances({.tolerance = 1e-9});
         for (const std::size_t enough : {std::size_t(0), std::size_t(5)}) {

@@ -2,8 +2,7 @@
 #include "chasles/base/limit.h"
 #include "chasles/mesh/primitives.h"
 #include "chasles/scene/scene.h"
-#include "tests/query/bodies.h"
-#include "tests/support/random_poses.h"
+#include "tests/scene/moving_octahedra.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
@@ -13,19 +12,6 @@ namespace chasles::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Scene moving_octahedra(Random& random, int count, double size) {
-    std::mt19937 shapes_random(unsigned(random.integer(0, 1 << 30)));
-    Scene world;
-    for (int i = 0; i < count; ++i) {
-        const Pose start = random_pose(random, size), goal = random_pose(random, size);
-        const Motion motion = i % 3 == 0   ? Motion::at_rest(start)
-                              : i % 3 == 1 ? Motion::velocity(start, goal)
-                                           : Motion::twist(start, goal);
-        world.add({std::to_string(i), random_octahedron(shapes_random).polyhedron(), motion, ""});
-    }
-    return world;
-}
 
 std::size_t step_of(const DistanceProfile& profile, double time) {
     return std::size_t(std::ranges::upper_bound(profile.times, time) - profile.times.begin()) - 1;
