@@ -216,6 +216,9 @@ void bind_screw(nb::module_& module) {
         .def("with_max_turn", with_max_turn, "max_turn"_a, doc("ScrewMotion.with_max_turn"))
         .def("pieces", pieces_of, doc("ScrewMotion.pieces"))
         .def(
+            "reversed", [](const PythonScrew& m) { return PlainMotion{Motion(m).reversed()}; },
+            nb::sig("def reversed(self) -> Motion"), doc("Motion.reversed"))
+        .def(
             "cut", [](const PythonScrew& m, double max_turn) { return pieces_of(with_max_turn(m, max_turn)); },
             "max_turn"_a, "The same as with_max_turn(max_turn).pieces().")
         .def("__repr__", [](const PythonScrew& m) { return repr_of_screw(m); });

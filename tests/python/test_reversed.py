@@ -19,7 +19,8 @@ def test_a_sweep_stays_a_sweep_and_a_screw_has_no_way_back():
     sweep = KINDS["sweep"]()
     assert type(sweep.reversed()) is chasles.SweepMotion
     assert sweep.reversed().angle == sweep.angle
-    assert not hasattr(chasles.ScrewMotion, "reversed")  # it slides unevenly: the constant twist has one
+    with pytest.raises(chasles.InvalidInput, match="the constant twist between the same poses has one"):
+        KINDS["screw"]().reversed()
 
 
 def test_the_last_contact_is_the_first_one_on_the_way_back(cube):
