@@ -40,7 +40,12 @@ OrbitFilter::OrbitFilter(const Body& moving, const Body& fixed)
       cost_to_pay_(cost_of_face * double(moving.face_count() + fixed.face_count())) {}
 
 std::optional<motion::Orbit> OrbitFilter::orbit_of(const PieceContext& context) const {
-    return motion::orbit_of(context.piece().cubic(), most_deviation_);
+    const motion::AnyPiece& piece = context.piece();
+    std::optional<motion::Orbit> orbit = motion::orbit_of(piece.cubic(), most_deviation_);
+    if (!orbit || !context.is_enclosed())
+        return orbit;
+    orbit->deviation += piece.enclosure({0, 1})->bounds.deviation_of(ball_);
+    return orbit->deviation <= most_deviation_ ? orbit : std::nullopt;
 }
 
 std::optional<OrbitWay> OrbitFilter::way_of(const motion::Orbit& orbit, double margin) const {
@@ -50,7 +55,7 @@ std::optional<OrbitWay> OrbitFilter::way_of(const motion::Orbit& orbit, double m
 
 void OrbitFilter::learn(const PieceContext& context, const Work& work) {
     const double cost = cost_of(work);
-    const auto orbit = cost >= least_cost && !context.is_enclosed() ? orbit_of(context) : std::nullopt;
+    const auto orbit = cost >= least_cost ? orbit_of(context) : std::nullopt;
     if (!orbit)
         return;
     if (!axis_ || !way_of(*orbit, 0)) {
@@ -78,7 +83,7 @@ std::optional<std::span<const culling::NodePair>> OrbitFilter::pairs_worth_testi
                                                                                    double margin,
                                                                                    const culling::TimeRange& range,
                                                                                    Work& work) {
-    if (range != culling::TimeRange() || context.is_enclosed() || (!trees_ && cost_ < cost_to_pay_))
+    if (range != culling::TimeRange() || (!trees_ && cost_ < cost_to_pay_))
         return std::nullopt;
     const auto orbit = orbit_of(context);
     const auto way = orbit ? way_of(*orbit, margin) : std::nullopt;

@@ -43,30 +43,43 @@ TEST(Path, FewerThanTwoPosesAreRefused) {
                  InvalidInput);
 }
 
-/// After the first steps the axis is known (note 32).
-TEST(Path, OffAThreadAnswersAsItsStepsByThemselves) {
+std::vector<Motion> twists_along(std::span<const Pose> poses) {
+    std::vector<Motion> twists;
+    for (std::size_t i = 1; i < poses.size(); ++i)
+        twists.emplace_back(ConstantTwist::between(poses[i - 1], poses[i]));
+    return twists;
+}
+
+/// The steps of a nut off its bolt. After the first ones the axis is known (note 32).
+void expect_to_answer_as_its_steps(const std::vector<Motion>& steps, Verdict verdict) {
     const Polyhedron nut = scenes::nut({});
     const Polyhedron bolt = scenes::bolt({});
+    const PathContact path = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = steps});
+    std::uint64_t node_pairs = 0;
+    FirstContact alone;
+    std::size_t segment = 0;
+    for (; segment < steps.size() && alone.verdict != Verdict::contact; ++segment) {
+        alone = first_contact({.moving = nut, .fixed = bolt, .motion = steps[segment]});
+        node_pairs += alone.work.node_pairs;
+    }
+    EXPECT_EQ(path.contact.verdict, alone.verdict);
+    EXPECT_EQ(path.segment, segment - 1);
+    EXPECT_NEAR(path.contact.time.lower, alone.time.lower, 2e-12);
+    EXPECT_EQ(path.contact.verdict, verdict);
+    if (verdict == Verdict::clear) {
+        EXPECT_LT(2 * path.contact.work.node_pairs, node_pairs);
+    }
+}
+
+TEST(Path, OffAThreadAnswersAsItsStepsByThemselves) {
     for (const double slide : {2.0, 1.75}) {
+        SCOPED_TRACE(slide);
         std::vector<Pose> poses;
         for (int i = 0; i <= 36; ++i)
             poses.push_back(scenes::nut_pose({.height = 10, .slide_per_turn = slide}, i / 36.0));
-        const std::vector<Motion> steps = screws_along(poses);
-        const PathContact path = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = steps});
-        std::uint64_t node_pairs = 0;
-        FirstContact alone;
-        std::size_t segment = 0;
-        for (; segment < steps.size() && alone.verdict != Verdict::contact; ++segment) {
-            alone = first_contact({.moving = nut, .fixed = bolt, .motion = steps[segment]});
-            node_pairs += alone.work.node_pairs;
-        }
-        EXPECT_EQ(path.contact.verdict, alone.verdict) << slide;
-        EXPECT_EQ(path.segment, segment - 1) << slide;
-        EXPECT_NEAR(path.contact.time.lower, alone.time.lower, 2e-12) << slide;
-        EXPECT_EQ(path.contact.verdict, slide == 2 ? Verdict::clear : Verdict::contact);
-        if (slide == 2) {
-            EXPECT_LT(2 * path.contact.work.node_pairs, node_pairs);
-        }
+        const Verdict verdict = slide == 2 ? Verdict::clear : Verdict::contact;
+        expect_to_answer_as_its_steps(screws_along(poses), verdict);
+        expect_to_answer_as_its_steps(twists_along(poses), verdict);
     }
 }
 
