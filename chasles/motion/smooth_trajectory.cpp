@@ -73,7 +73,7 @@ Pose public_pose(const GeneralPose<double>& pose) {
 }
 
 SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
-    : motion_(std::move(motion)), times_(section.times), rates_(section.rates),
+    : motion_(std::move(motion)), times_(section.times), rates_{section.rates, {}},
       reference_(motion_.relative->reference()), latest_(section) {
     find_axis(section.ends);
     whole_ = {sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})};
@@ -84,8 +84,8 @@ SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
 void SmoothPiece::find_axis(const PartEnds<double>& ends) {
     const auto try_axis = [&](const Vector3<double>& axis) {
         const auto expansion = motion_.relative->expansion_about(axis, times_);
-        if (expansion && (!axis_ || expansion->across.acceleration < axis_->across.acceleration))
-            axis_ = {axis, expansion->across};
+        if (expansion && (!rates_.axis || expansion->across.acceleration < rates_.axis->across.acceleration))
+            rates_.axis = {axis, expansion->across};
     };
     const Vector3<double> turn = turn_between(ends.start, ends.goal).v;
     if (const double size = length(turn); size > 0)
@@ -98,12 +98,29 @@ double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);
 }
 
-/// The rates of the piece serve all its parts: those of a part are little smaller, and cost as much as two poses. A
-/// body that is fast for a short while is displaced by the rounding of times.
+/// The rates of a part alone.
+SmoothPiece::Rates SmoothPiece::rates_of(const Bracket& times) const {
+    const MovingFrame& frame = *motion_.relative;
+    if (rates_.axis)
+        if (const auto expansion = frame.expansion_about(rates_.axis->direction, times))
+            return {expansion->all.bounds, Axis{rates_.axis->direction, expansion->across}};
+    return {frame.rates(times), {}};
+}
+
+/// The rates of a part cost as much as two poses in double, so those of the piece serve all parts there. Refined poses cost
+/// far more, and the rates of a short part may be far smaller: where a motion comes to rest, and where a contact grazes.
 template <class S>
 EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
+    if (std::is_same_v<S, double> && are_finite(rates_.bounds))
+        return bounds_by<S>(rates_, part);
+    return bounds_by<S>(rates_of({time_at(part.lower), time_at(part.upper)}), part);
+}
+
+/// A body that is fast for a short while is displaced by the rounding of times.
+template <class S>
+EnclosureBounds SmoothPiece::bounds_by(const Rates& all, const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
-    const RateBounds rates = are_finite(rates_) ? rates_ : frame.rates({time_at(part.lower), time_at(part.upper)});
+    const RateBounds& rates = all.bounds;
     const double duration = (part.upper - part.lower) * (times_.upper - times_.lower) + rounding_of_times<double>;
     EnclosureBounds bounds =
         enclosure_bounds(reference_, rates, duration, pose_rounding<S> * frame.rounding(), frame.size());
@@ -113,8 +130,8 @@ EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     bounds.deviation += shift;
     bounds.turn_rounding += turn;
     bounds.turn_deviation += turn;
-    if (axis_)
-        bounds.along = bounds_along(axis_->direction, axis_->across, rates.turn_rate, duration, bounds);
+    if (all.axis)
+        bounds.along = bounds_along(all.axis->direction, all.axis->across, rates.turn_rate, duration, bounds);
     return bounds;
 }
 

@@ -77,18 +77,24 @@ public:
 private:
     [[nodiscard]] double time_at(double tau) const;
     [[nodiscard]] Enclosure<double> enclosed(const Bracket& part) const;
+    struct Axis {
+        Vector3<double> direction;
+        AxisRates across;
+    };
+    struct Rates {
+        RateBounds bounds;
+        std::optional<Axis> axis; ///< about which the body all but turns, as far as the frame knows
+    };
     void find_axis(const PartEnds<double>& ends);
+    [[nodiscard]] Rates rates_of(const Bracket& times) const;
+    template <class S>
+    [[nodiscard]] EnclosureBounds bounds_by(const Rates& all, const Bracket& part) const;
     template <class S>
     [[nodiscard]] EnclosureBounds bounds(const Bracket& part) const;
 
     SmoothMotion motion_;
     Bracket times_;
-    RateBounds rates_;
-    struct Axis {
-        Vector3<double> direction;
-        AxisRates across;
-    };
-    std::optional<Axis> axis_; ///< about which the body all but turns, as far as the frame knows
+    Rates rates_; ///< of the whole piece
     Vector3<double> reference_;
     Enclosure<double> whole_;
     RationalMotion<algebra::DoubleDouble> cubic_;

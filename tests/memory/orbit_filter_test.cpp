@@ -94,6 +94,28 @@ TEST(OrbitFilter, ServesEnclosedMotionsOnAHelix) {
     }
 }
 
+/// A tip turns about the axis and reaches out on its way, by less than a part in ten thousand of its arm. At both ends, from which
+/// the cubic motion is made, it is on one circle.
+TEST(OrbitFilter, CountsHowFarAnEnclosedMotionIsFromTheCubicOne) {
+    constexpr double reach = 6e-5;
+    const Motion way = Motion::hinge({0, 0, 0}, {0, 0, 1}, {-0.05, 0.1}) *
+                       Motion::slider({1, 0, 0}, {0, 4 * reach, -4 * reach});
+    const std::vector<std::vector<std::uint32_t>> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    const std::vector<Vector3d> tip{{1, 0, 0}, {0, 0.1, 0}, {0, -0.1, 0}, {0, 0, 0.1}};
+    constexpr double place = 1 + reach / 2;
+    const std::vector<Vector3d> plate{
+        {place, 0, 0.004}, {place, -0.004, -0.004}, {place, 0.004, -0.004}, {place + 0.01, 0, 0}};
+    const Polyhedron arm = Polyhedron::from_polygons(tip, faces);
+    const Polyhedron stop = Polyhedron::from_polygons(plate, faces);
+    OrbitFilter filter(arm.body(), stop.body());
+    const PieceContext context{arm.body(), stop.body(), way.trajectory().pieces()->at(0)};
+    ASSERT_TRUE(context.is_enclosed());
+    filter.learn(context, dear());
+    Work work;
+    EXPECT_TRUE(filter.pairs_worth_testing(context, 0, {}, work));
+    EXPECT_EQ(query::answer({arm.body(), stop.body(), way.trajectory(), {}, 1, filter}).verdict, Verdict::contact);
+}
+
 TEST(OrbitFilter, GivesUpWhereItDoesNotPay) {
     const Thread thread;
     OrbitFilter filter(thread.nut.body(), thread.bolt.body());

@@ -92,5 +92,28 @@ TEST(PlanarMotions, PlatesThatComeDownTouchWhenTheirHeightsMeet) {
     EXPECT_GT(certain, 190);
 }
 
+/// The lower cube's top and the upper one's bottom meet at 2/3 of the time, from where on the upper one stands still. It
+/// comes down as the cube of the time left, and turns until then.
+TEST(PlanarMotions, ASplineThatStopsAtTouchIsFollowedToTheStop) {
+    const Polyhedron cube = make_box({1, 1, 1});
+    const auto lands = [&](double gap) {
+        const auto pose = [&](double x, double z, double turn) {
+            return turned({x, 0, z + gap}, Vector3d::UnitZ(), turn);
+        };
+        const Pose goal = pose(0, 1, 0);
+        const Motion motion = Motion::b_spline({pose(0.3, 2, 0.5), pose(0.2, 1.5, 0.2), goal, goal, goal});
+        return first_contact({.moving = cube, .fixed = cube, .motion = motion});
+    };
+    const FirstContact touch = lands(0);
+    EXPECT_EQ(touch.verdict, Verdict::contact);
+    EXPECT_GT(touch.time.lower, 2.0 / 3 - 1e-8);
+    EXPECT_LE(touch.time.lower, 2.0 / 3);
+    for (const double gap : {1e-15, 1e-12}) {
+        const FirstContact clear = lands(gap);
+        EXPECT_EQ(clear.verdict, Verdict::clear) << gap;
+        EXPECT_TRUE(clear.certain) << gap;
+    }
+}
+
 } // namespace
 } // namespace chasles::test
