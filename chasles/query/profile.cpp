@@ -45,6 +45,7 @@ private:
     using Knot = query::ProfileKnot;
     using Touch = Knot::Touch;
 
+    [[nodiscard]] double default_tolerance() const;
     bool search();
     bool search(const PieceContext& piece);
     /// `others` is the greatest upper bound of other distances in the part.
@@ -80,8 +81,19 @@ ProfileSearch::ProfileSearch(const query::PairProfileQuery& question)
       options_(question.options), radii_(distance_of_polyhedra(moving_, fixed_, 0)),
       knots_(question, [this](double distance) { return error_at(distance); }), steps_(options_, 1 - share_of_bounds) {
     if (options_.absolute_tolerance == 0)
-        options_.absolute_tolerance = 1e-6 * (moving_.ball_radius() + fixed_.ball_radius());
+        options_.absolute_tolerance = default_tolerance();
     std::ranges::sort(options_.margins);
+}
+
+/// A part of the bodies, and of overlaps that are allowed: parts in touch are as far apart as their faces have moved
+/// inwards.
+double ProfileSearch::default_tolerance() const {
+    constexpr double share_of_overlap = 0.125;
+    double tolerance = 1e-6 * (moving_.ball_radius() + fixed_.ball_radius());
+    for (const Body* body : {&moving_, &fixed_})
+        if (const double overlap = body->report().moved_inwards; overlap > 0)
+            tolerance = std::min(tolerance, share_of_overlap * overlap);
+    return tolerance;
 }
 
 DistanceProfile ProfileSearch::run() {
@@ -204,11 +216,15 @@ bool ProfileSearch::add_part(const Knot& start, const Knot& end, double others) 
 }
 
 std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const Knot& end, bool is_last) {
-    if (start.touch != Touch::apart && end.touch != Touch::apart) {
+    if (start.touch != Touch::apart || end.touch != Touch::apart) {
         const DistanceBounds bounds = touching_bounds(start, end);
         const bool is_narrow = bounds.upper.greatest() <= options_.absolute_tolerance;
+        const bool may_be_short = start.touch != Touch::apart && end.touch != Touch::apart;
         const bool is_short = is_last || end.near.tau - start.near.tau <= shortest_touching_part;
-        return is_narrow || is_short ? std::optional(bounds) : std::nullopt;
+        if (is_narrow || (may_be_short && is_short))
+            return bounds;
+        if (may_be_short)
+            return std::nullopt;
     }
     const bool is_nested = start.touch == Touch::nested || end.touch == Touch::nested;
     // How deep in touch, where the widths are those of touch.

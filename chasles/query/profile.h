@@ -11,7 +11,8 @@ namespace chasles {
 /// How to answer.
 struct ProfileOptions {
     double tolerance = 1e-2; ///< the greatest difference of the bounds, as a part of the distance; in [1e-4, 1]
-    /// Differences of less do not matter, mesh unit; 0: a millionth of the sum of both radii around the bodies.
+    /// Differences of less do not matter, mesh unit; 0: a millionth of the sum of both radii around the bodies,
+    /// and at most an eighth of an overlap that is allowed (a radius below 0).
     double absolute_tolerance = 0;
     std::vector<double> margins = {}; ///< distances, mesh unit: the times at which each is crossed are bounded closely
     double time_tolerance = 1e-6;     ///< so closely, as a part of the motion; in [1e-9, 1]

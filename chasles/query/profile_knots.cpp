@@ -54,8 +54,8 @@ ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> m
 ProfileKnot ProfileKnots::at(double tau, std::span<const ProfileKnot* const> known) {
     std::vector<contact::FeaturePair> guesses;
     for (const ProfileKnot* knot : known)
-        if (knot->near.distance > 0)
-            guesses.push_back(knot->near.features);
+        if (knot->near.features)
+            guesses.push_back(*knot->near.features);
     const bool is_before_contact = clear_until_ == 1 || time_of(piece_->piece(), tau) < clear_until_;
     const auto is_apart = [](const ProfileKnot* knot) { return knot->touch == Touch::apart; };
     const auto nearest = [&] { return bounds_->nearest_at(tau, guesses, error_); };

@@ -45,6 +45,7 @@ private:
         Eigen::Index variable;
         bool is_upper;
         double step; ///< by which the end may move, as a part of the given box
+        bool is_done = false;
     };
     [[nodiscard]] bool goes_on() const {
         return cells_ < options_.most_cells && !is_cancelled() && (!options_.progress || options_.progress(share()));
@@ -118,12 +119,14 @@ bool Growing::grow(const Configuration& around) {
     for (bool has_step = true; has_step;) {
         has_step = false;
         for (End& end : ends) {
-            if (end.step < least)
+            if (end.is_done)
                 continue;
             if (!goes_on())
                 return false;
-            if (!try_to_move(end))
+            if (!try_to_move(end)) {
+                end.is_done = end.step <= least; // it cannot be moved by the tolerance
                 end.step *= 0.5;
+            }
             has_step = true;
         }
     }

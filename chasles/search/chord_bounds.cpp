@@ -165,9 +165,9 @@ double ChordBounds::way_of_points(const NearKnot& from, const NearKnot& to) {
     const Vector3d point = moved(to.pose, moved_back(from.pose, on_moving)); // of the moving body
     const Vector3d other = moved_back(to.pose, on_fixed); // of the fixed body, seen by the moving one
     double way = (point - on_fixed).norm();
-    if (!(from.distance > 0))
-        return way; // no features are known
-    const FeaturePair& features = from.features;
+    if (!from.features)
+        return way;
+    const FeaturePair& features = *from.features;
     const auto shorten = [&](double error, const Vector3d& a, const Vector3d& b) {
         way = std::min(way, (a - b).norm() + error);
     };
@@ -196,6 +196,8 @@ void ChordBounds::use_directions(const NearKnot& start, const NearKnot& end) {
         sights_.push_back(sight_along(motion::vector_in<double>((found[0] + found[1]).normalized())));
     for (std::size_t i = 0; i < count; ++i)
         sights_.push_back(sight_along(motion::vector_in<double>(found[i])));
+    if (!sights_.empty()) // a part between two others is often as far from one as from the other
+        sights_.push_back(sight_along(scale(sights_.front().along, -1.0)));
 }
 
 ChordBounds::Sight ChordBounds::sight_along(const Direction& along) const {
@@ -222,7 +224,9 @@ bool ChordBounds::are_beyond(const LinearBound& distance, const BvhNode& moving,
 bool ChordBounds::are_faces_beyond(const LinearBound& distance, std::uint32_t moving, std::uint32_t fixed) {
     if (sights_.empty())
         return false;
-    const Sight& sight = sights_.front();
+    const Direction way =
+        between_middles(context_.moving().bvh().nodes()[moving], context_.fixed().bvh().nodes()[fixed]);
+    const Sight& sight = dot(sights_.front().along, way) < 0 ? sights_.back() : sights_.front();
     const double of_fixed = least_height(context_.fixed(), fixed, scale(sight.along, -1.0));
     return sight.between[0] + least_height(context_.moving(), moving, sight.of_moving[0]) + of_fixed >=
                distance.start &&

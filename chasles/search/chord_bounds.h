@@ -35,10 +35,10 @@ struct DistanceBounds {
 /// Two surfaces at one tau.
 struct NearKnot {
     double tau = 0;
-    double distance = 0; ///< of the points
-    contact::FeaturePair features;
-    contact::NearestPoints points; ///< in the frame of the fixed body; twice one where the surfaces meet
-    motion::MatrixPose pose;       ///< of the moving body in the frame of the fixed one
+    double distance = 0;                          ///< of the points
+    std::optional<contact::FeaturePair> features; ///< none where surfaces that pass through each other meet
+    contact::NearestPoints points;                ///< in the frame of the fixed body; twice one where the surfaces meet
+    motion::MatrixPose pose;                      ///< of the moving body in the frame of the fixed one
 };
 
 /// Bounds the distance of two surfaces over parts of one piece. The context is kept by reference. For one thread.

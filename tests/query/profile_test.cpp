@@ -167,6 +167,68 @@ TEST(Profile, OverlapsThatLastAreOneStepOrAFew) {
 }
 
 /// Round bodies touch while their polyhedra are apart.
+/// The lower cube's top and the upper one's bottom lie in one plane, and each cube turns on a pin of its own. A
+/// distance of roundings tells no direction.
+TEST(Profile, FacesThatSlideInOnePlaneTakeFewSteps) {
+    const Polyhedron cube = make_box({1, 1, 1});
+    const Motion upper =
+        Motion::at_rest(turned({0, 0, 1}, Vector3d::UnitZ(), 0)) * Motion::hinge({0.2, 0, 0}, {0, 0, 1}, {0, 1});
+    const Motion lower = Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, -1});
+    for (const double tolerance : {0.15, 0.01}) {
+        const DistanceProfile found = ask(cube, cube, relative(upper, lower), {.absolute_tolerance = tolerance});
+        expect_narrow(found, 0, tolerance);
+        expect_holds(
+            found, [](double) { return 0; }, 100);
+        EXPECT_LT(found.times.size(), 300U) << tolerance;
+    }
+}
+
+/// Round plates of the thickness 1 about the z-axis.
+Polyhedron plates(std::initializer_list<double> bottoms) {
+    constexpr std::uint32_t around = 24;
+    std::vector<Vector3d> corners;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (const double bottom : bottoms) {
+        const auto first = std::uint32_t(corners.size());
+        std::vector<std::uint32_t> below, above;
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const double angle = 2 * std::numbers::pi * i / around;
+            for (const double height : {bottom, bottom + 1})
+                corners.emplace_back(std::cos(angle), std::sin(angle), height);
+            const std::uint32_t here = first + 2 * i, next = first + 2 * ((i + 1) % around);
+            faces.push_back({here, next, next + 1, here + 1});
+            below.push_back(first + 2 * (around - 1 - i));
+            above.push_back(here + 1);
+        }
+        faces.push_back(below);
+        faces.push_back(above);
+    }
+    return Polyhedron::from_polygons(corners, faces);
+}
+
+/// A plate turns between two others, as a knuckle of a hinge does.
+TEST(Profile, EqualGapsOnBothSidesCostWhatOneGapCosts) {
+    const Motion turn = Motion::hinge({0, 0, 0}, {0, 0, 1}, {0.1, 3});
+    const auto between = [&](double gap) { return ask(plates({0}), plates({-1.01, 1 + gap}), turn); };
+    const DistanceProfile equal = between(0.01), unequal = between(0.02);
+    expect_narrow(equal, 1e-2, 1e-6);
+    expect_holds(
+        equal, [](double) { return 0.01; }, 100);
+    EXPECT_LT(equal.work.node_pairs, 4 * unequal.work.node_pairs);
+}
+
+TEST(Profile, TellsAnOverlapThatIsAllowedFromTouch) {
+    const Polyhedron cube = make_box({1, 1, 1});
+    const Motion slide =
+        Motion::velocity(turned({1, 0, 0}, Vector3d::UnitZ(), 0), turned({1, 0.5, 0}, Vector3d::UnitZ(), 0));
+    const DistanceProfile found = ask(cube.with_radius(-1e-6), cube, slide);
+    ASSERT_EQ(found.free().size(), 1U);
+    EXPECT_EQ(found.free()[0].lower, 0);
+    EXPECT_EQ(found.free()[0].upper, 1);
+    expect_holds(
+        found, [](double) { return 1e-6; }, 100);
+}
+
 TEST(Profile, RoundBodiesAreFreeUntilTheirRadiiMeet) {
     const Polyhedron cube = box({1, 1, 1}).polyhedron().with_radius(0.5);
     const DistanceProfile found = ask(cube, cube, Motion::slider({1, 0, 0}, {-4, 8}));
