@@ -58,16 +58,18 @@ ConfigurationBox box_of_joints(const Robot& robot, std::span<const std::string> 
 
 namespace {
 
-/// Joins boxes that have a side in common, axis by axis, until no two have. The largest ones come first.
+/// Joins boxes that have a side in common, axis by axis, until no two have, or once where a limit of time has ended the
+/// search. The largest ones come first.
 class JoinedCells {
 public:
     explicit JoinedCells(std::vector<RangeCell> cells) : cells_(std::move(cells)) {
         const std::size_t axes = cells_.empty() ? 0 : cells_.front().sides.size();
-        for (std::size_t size = cells_.size() + 1; cells_.size() < size;) {
+        std::size_t size = 0;
+        do {
             size = cells_.size();
             for (std::size_t axis = axes; axis-- > 0;)
                 join_along(axis);
-        }
+        } while (cells_.size() < size && !is_cancelled());
         std::ranges::sort(cells_, [](const RangeCell& a, const RangeCell& b) {
             const double first = a.share(), second = b.share();
             return first != second ? first > second : is_before(a, b, a.sides.size());

@@ -2,9 +2,7 @@
 #include "chasles/robot/range.h"
 
 #include "chasles/base/limit.h"
-#include "chasles/mesh/primitives.h"
-#include "chasles/robot/model.h"
-#include "tests/robot/random_robot.h"
+#include "tests/robot/arm_beside_a_wall.h"
 #include "tests/support/refusal.h"
 
 #include <chrono>
@@ -13,53 +11,6 @@
 
 namespace chasles::test {
 namespace {
-
-constexpr double upper_arm = 1, forearm = 0.8, tip_radius = 0.1;
-
-/// Two links in a plane. Only the tip has a shape, a ball.
-Robot arm_beside_a_wall() {
-    RobotDescription robot{"planar"};
-    robot.links = {{"base"}, {"upper"}, {"fore", {{make_sphere(tip_radius), shifted(forearm, 0, 0)}}}};
-    const auto turn = [](const char* name, const char* parent, const char* child, double at) {
-        JointDescription joint{name, JointType::revolute, parent, child};
-        joint.axis = Eigen::Vector3d::UnitZ();
-        joint.origin = shifted(at, 0, 0);
-        joint.lower = -3;
-        joint.upper = 3;
-        return joint;
-    };
-    robot.joints = {turn("shoulder", "base", "upper", 0), turn("elbow", "upper", "fore", upper_arm)};
-    return Robot(robot);
-}
-
-/// A wall that begins at this x.
-Scene wall_at(double x) {
-    Scene scene;
-    scene.add({"wall", make_box({1, 9, 9}), Motion::at_rest(shifted(x + 0.5, 0, 0))});
-    return scene;
-}
-
-double tip_of(const Configuration& q) {
-    return upper_arm * std::cos(q[0]) + forearm * std::cos(q[0] + q[1]);
-}
-
-Configuration values(double first, double second) {
-    Configuration q(2);
-    q << first, second;
-    return q;
-}
-
-Configuration sample(Random& random, const ConfigurationBox& box) {
-    Configuration q = box.lower;
-    for (Eigen::Index i = 0; i < q.size(); ++i)
-        if (box.lower[i] < box.upper[i])
-            q[i] = random.chance(0.1)   ? box.lower[i]
-                   : random.chance(0.1) ? box.upper[i]
-                                        : random.uniform(box.lower[i], box.upper[i]);
-    return q;
-}
-
-const std::vector<std::string> both{"shoulder", "elbow"};
 
 /// The share of a box in which the tip does not reach the wall, by a fine grid; off by less than 1e-3.
 double free_share(const ConfigurationBox& box, double wall, double radius) {
@@ -349,54 +300,6 @@ TEST(RobotRange, RefusesQuaternionsAndSlidesWithoutLimits) {
     const std::vector<std::string> slide{"elbow"};
     EXPECT_EQ(refusal([&] { (void)box_of_joints(robot, slide, robot.neutral()); }),
               "range: elbow: has no limits; give the ends of its range");
-}
-
-TEST(ClearBox, IsProvenAndNoSideCanBeMovedFar) {
-    Random random(4003);
-    const Robot robot = arm_beside_a_wall();
-    const Scene scene = wall_at(1.2);
-    const RobotChecker checker(robot, &scene);
-    const ConfigurationBox within = box_of_joints(robot, both, robot.neutral());
-    int moved = 0;
-    for (int round = 0; round < 20; ++round) {
-        const Configuration around = sample(random, within);
-        const ClearBox found = checker.clear_box(within, around);
-        ASSERT_TRUE(found.box.contains(around));
-        if (tip_of(around) + tip_radius >= 1.2) {
-            EXPECT_EQ(found.verdict, RangeVerdict::contact);
-            EXPECT_EQ(found.share, 0);
-            continue;
-        }
-        EXPECT_EQ(found.verdict, RangeVerdict::clear);
-        EXPECT_TRUE(found.is_maximal);
-        for (int i = 0; i < 300; ++i)
-            EXPECT_LT(tip_of(sample(random, found.box)) + tip_radius, 1.2);
-        for (const Eigen::Index i : {0, 1})
-            for (const bool is_upper : {false, true}) {
-                ConfigurationBox wider = found.box;
-                double& end = is_upper ? wider.upper[i] : wider.lower[i];
-                end += (is_upper ? 0.03 : -0.03) * (within.upper[i] - within.lower[i]);
-                if (end > within.upper[i] || end < within.lower[i])
-                    continue;
-                double farthest = -9;
-                for (int k = 0; k < 4000; ++k)
-                    farthest = std::max(farthest, tip_of(sample(random, wider)));
-                EXPECT_GT(farthest + tip_radius, 1.19) << "the wall, or nearly, is beyond each side";
-                ++moved;
-            }
-    }
-    EXPECT_GT(moved, 10);
-}
-
-TEST(ClearBox, IsTheWholeBoxWhereNothingIsNear) {
-    const Robot robot = arm_beside_a_wall();
-    const ConfigurationBox within = box_of_joints(robot, both, robot.neutral());
-    const ClearBox found = RobotChecker(robot).clear_box(within, values(0.3, 0.1));
-    EXPECT_EQ(found.verdict, RangeVerdict::clear);
-    EXPECT_EQ(found.box.lower, within.lower);
-    EXPECT_EQ(found.box.upper, within.upper);
-    EXPECT_EQ(found.share, 1);
-    EXPECT_TRUE(found.is_maximal);
 }
 
 } // namespace
