@@ -45,6 +45,8 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
 MODULES = {
     "distributed": ("Dask and Parquet", "chasles.distributed"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
+    "policy": ("A gate for policies", "chasles.policy"),
+    "lerobot": ("Steps for LeRobot", "chasles.lerobot"),
 }
 
 

@@ -61,6 +61,16 @@ def test_the_guides_tell_the_truth(document, tmp_path, monkeypatch):
     assert not failures, "".join(failures)
 
 
+def test_the_page_about_policies_tells_the_truth():
+    """Without its section about LeRobot, which lerobot_steps.py runs."""
+    code = code_of(ROOT / "docs" / "policy.md")
+    plain = code[: code.index("from lerobot")].rpartition(">>> import math")[0]
+    example = doctest.DocTestParser().get_doctest(plain, {}, "docs/policy.md", "docs/policy.md", 0)
+    failures: list[str] = []
+    doctest.DocTestRunner().run(example, out=failures.append)
+    assert not failures and len(example.examples) > 15, "".join(failures)
+
+
 @pytest.mark.parametrize("name", PUBLIC)
 def test_every_name_is_documented(name):
     thing = getattr(chasles, name)
