@@ -182,6 +182,8 @@ RobotAnswer RobotChecker::first_contact(const JointPath& path, std::span<const H
         SegmentSearch search(stretches.at(answer.segment), path, answer.segment);
         std::optional<SegmentSearch::Found> found;
         try {
+            if (answer.segment > 0) // one that is far apart is answered without a look at the limit
+                throw_if_cancelled();
             found = search.run();
         } catch (const Cancelled&) {
             set_unknown(answer, path, search.clear_until());

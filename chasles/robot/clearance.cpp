@@ -1,5 +1,5 @@
 // How near does a robot come along a path? Source: docs/derivations/29-robots.md, "Clearance".
-#include "chasles/base/limit.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/query/nearest_of.h"
 #include "chasles/query/requirements.h"
 #include "chasles/robot/handovers.h"
@@ -52,8 +52,11 @@ RobotClearance ClearanceSearch::run() {
 /// At the limit of the thread no bound is known of the pairs that are left.
 void ClearanceSearch::visit_segments() {
     try {
-        for (std::size_t segment = 0; segment < path_.segments().size() && !nearest_.touches(); ++segment)
+        for (std::size_t segment = 0; segment < path_.segments().size() && !nearest_.touches(); ++segment) {
+            if (segment > 0)
+                throw_if_cancelled();
             visit(segment);
+        }
     } catch (const Cancelled&) {
         nearest_.leave(0);
     }

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
 #include "tests/robot/all_pairs.h"
+#include "tests/robot/arm_beside_a_wall.h"
 #include "tests/support/refusal.h"
 
 #include <chrono>
@@ -111,6 +112,21 @@ TEST(RobotChecker, WhatIsProvenUntilALimitIsTrue) {
         EXPECT_EQ(checker.is_clear(a, b), is_clear);
     } catch (const Cancelled&) { // the only other answer
     }
+}
+
+/// Boxes settle every segment, and a path may have thousands.
+TEST(RobotChecker, ALimitEndsAPathFarFromEverything) {
+    const Robot robot = arm_beside_a_wall();
+    const Scene scene = wall_at(50);
+    const RobotChecker checker(robot, &scene);
+    const JointPath path = JointPath::straight(robot, std::array{values(0, 0), values(0.1, 0), values(0, 0.1)});
+    EXPECT_EQ(checker.first_contact(path).verdict, Verdict::clear);
+    const Limit limit(1e-9);
+    const RobotAnswer found = checker.first_contact(path);
+    EXPECT_EQ(found.verdict, Verdict::unknown);
+    EXPECT_EQ(found.segment, 1U);
+    EXPECT_EQ(found.clear_until, 1);
+    EXPECT_EQ(checker.least_distance(path).distance.lower, 0);
 }
 
 /// Without them nothing touches at the start, and with any of them something does.
