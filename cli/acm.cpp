@@ -67,8 +67,9 @@ int run_acm(const AcmOptions& options) {
     const NamedRobots robots = load_robots(options.robot);
     const Robot robot = together(robots);
     if (!options.out.empty() && is_cell(robots))
-        throw InvalidInput("--out: an SRDF file is that of one robot, whose links have no name of a robot in front: ask "
-                           "about each robot alone");
+        throw InvalidInput(
+            "--out: an SRDF file is that of one robot, whose links have no name of a robot in front: ask "
+            "about each robot alone");
     std::optional<OutputFile> file;
     if (!options.out.empty())
         file.emplace(options.out);

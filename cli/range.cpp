@@ -61,8 +61,7 @@ struct JointRange {
 JointRange joint_range_of(const Robot& robot, const std::string& given) {
     const std::size_t sign = given.rfind('=');
     const auto variables = robot.variables();
-    if (sign == std::string::npos ||
-        std::ranges::find(variables, given, &RobotVariable::name) != variables.end())
+    if (sign == std::string::npos || std::ranges::find(variables, given, &RobotVariable::name) != variables.end())
         return {given, std::nullopt};
     const std::size_t colon = given.find(':', sign);
     if (colon == std::string::npos)
@@ -130,10 +129,10 @@ ConfigurationBox box_of(const RangeCommand& options, const Robot& robot, const C
 void require_inside(const Robot& robot, const ConfigurationBox& box, const Configuration& configuration) {
     for (Eigen::Index i = 0; i < configuration.size(); ++i)
         if (configuration[i] < box.lower[i] || configuration[i] > box.upper[i])
-            throw InvalidInput(fmt::format("--clear-box: {} is {:.9g} in the configuration, outside of its range {:.9g} to "
-                                           "{:.9g}; --from gives another configuration",
-                                           io::one_line(robot.variables()[std::size_t(i)].name), configuration[i],
-                                           box.lower[i], box.upper[i]));
+            throw InvalidInput(fmt::format(
+                "--clear-box: {} is {:.9g} in the configuration, outside of its range {:.9g} to "
+                "{:.9g}; --from gives another configuration",
+                io::one_line(robot.variables()[std::size_t(i)].name), configuration[i], box.lower[i], box.upper[i]));
 }
 
 /// A question, with all that is read.
@@ -279,7 +278,9 @@ void add_range(CLI::App& app, Task& task) {
     add_cell_options(command, robot.robot);
     add_radii_option(command, robot.robot.radii, "the shapes of the robot and of the bodies of the scene");
     add_robot_change_options(command, robot.changes);
-    command.add_option("--joints", options->joints, "the joints that move, within their limits or between the ends given here; all others stay")
+    command
+        .add_option("--joints", options->joints,
+                    "the joints that move, within their limits or between the ends given here; all others stay")
         ->required()
         ->type_name("A[=LOWER:UPPER],B,..")
         ->delimiter(',');

@@ -71,8 +71,8 @@ std::map<std::string, std::string> values_by_robot(const char* option, const std
                                                    const std::vector<std::string>& names) {
     std::map<std::string, std::string> values;
     for (const std::string& text : given) {
-        const auto [name, value] =
-            names == std::vector<std::string>{""} ? std::pair(names.front(), text) : name_and_value(option, text, "NAME=VALUE");
+        const auto [name, value] = names == std::vector<std::string>{""} ? std::pair(names.front(), text)
+                                                                         : name_and_value(option, text, "NAME=VALUE");
         if (std::ranges::find(names, name) == names.end())
             throw InvalidInput(std::string(option) + ": there is no robot " + io::in_quotes(name) + ", only " +
                                io::shown_names(names));

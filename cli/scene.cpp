@@ -115,8 +115,8 @@ std::string report_all(const SceneFile& file, const SceneAnswer& answer, const S
     const std::string verb = certain == 1 ? " touches" : " touch";
     const std::string perhaps = open > 0 ? fmt::format(", {}{} perhaps", open, certain > 0 ? " more" : "") : "";
     const std::string limit = query.until < 1 ? " " + during(query.until) : "";
-    std::string text = naming_motion(counted(certain, "pair") + verb + perhaps + limit, file.motion) +
-                       untested_lines(answer);
+    std::string text =
+        naming_motion(counted(certain, "pair") + verb + perhaps + limit, file.motion) + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));

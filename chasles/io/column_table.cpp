@@ -69,14 +69,15 @@ bool may_begin_with_error(const std::vector<std::string>& cells) {
     const std::string_view first = after_mark(cells.front());
     const bool is_word = cells.size() > 1 && !first.empty() && first.front() != ' ' && first.front() != '\t';
     return is_spreadsheet_error(cells.front()) ||
-           (is_word && !may_be_number(first) && std::ranges::all_of(cells.begin() + 1, cells.end(), [](const auto& cell) {
-                return may_be_number(cell) || is_spreadsheet_error(cell);
-            }));
+           (is_word && !may_be_number(first) &&
+            std::ranges::all_of(cells.begin() + 1, cells.end(),
+                                [](const auto& cell) { return may_be_number(cell) || is_spreadsheet_error(cell); }));
 }
 
 std::string doubt_about_error(const std::string& cell) {
     return "begins with " + in_quotes(cell) +
-           ": it may be a cell with an error of a spreadsheet, or a comment; mend the cell or delete the line, or begin "
+           ": it may be a cell with an error of a spreadsheet, or a comment; mend the cell or delete the line, or "
+           "begin "
            "the comment with # and a blank";
 }
 
@@ -179,8 +180,8 @@ bool ColumnTable::take_separator(std::string_view line) {
         return false;
     const std::string_view named = line.substr(first + 4, 1);
     if (named.empty() || std::string_view(",;\t ").find(named) == std::string_view::npos)
-        fail_at_line(lines_.number(), "names the separator " + in_quotes(named) +
-                                          "; commas, semicolons, tabs and blanks are read");
+        fail_at_line(lines_.number(),
+                     "names the separator " + in_quotes(named) + "; commas, semicolons, tabs and blanks are read");
     separator_ = static_cast<Separator>(named.front());
     has_separator_ = true;
     return true;
@@ -324,8 +325,7 @@ std::string decimal_comma_hint(std::string_view cell) {
 double cell_number(const std::string& cell, const std::string& name) {
     if (const auto number = parse_finite(cell))
         return *number;
-    throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) +
-                       decimal_comma_hint(cell));
+    throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) + decimal_comma_hint(cell));
 }
 
 void add_stamp(double stamp, const std::string& name, std::vector<double>& stamps) {

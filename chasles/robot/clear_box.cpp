@@ -140,11 +140,11 @@ void require_inside(const RobotChecker::Prepared& prepared, const ConfigurationB
         const double value = around[i], lower = box.lower[i], upper = box.upper[i];
         if (lower <= value && value <= upper)
             continue;
-        throw InvalidInput(
-            "range: around: " + variables[std::size_t(i)].name + " is " + number_text(value) +
-            (lower == upper ? ", and the box holds it at " + number_text(lower) +
-                                  ": box_of_joints(joints, around) makes a box around it"
-                            : ", outside of the box, from " + number_text(lower) + " to " + number_text(upper)));
+        throw InvalidInput("range: around: " + variables[std::size_t(i)].name + " is " + number_text(value) +
+                           (lower == upper
+                                ? ", and the box holds it at " + number_text(lower) +
+                                      ": box_of_joints(joints, around) makes a box around it"
+                                : ", outside of the box, from " + number_text(lower) + " to " + number_text(upper)));
     }
 }
 

@@ -345,7 +345,6 @@ TEST(RobotRange, NamesALimitThatIsTooFar) {
     RobotDescription description = arm_beside_a_wall().description();
     description.joints[1].upper = 999999;
     const Robot robot(description);
-    const std::vector<std::string> both{"shoulder", "elbow"};
     ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot).range(box); }),
               "range: upper: elbow: its limit 999999 is beyond 1000 in magnitude, the largest value: give the box "
