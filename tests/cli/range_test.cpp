@@ -130,11 +130,14 @@ TEST_F(RangeCommand, TakesEndsOfItsOwn) {
         "chasles: --joints: shoulder: the limits of the file, -999999 to 999999, are beyond 1000 in magnitude, the "
         "largest value: give it a smaller range, shoulder=LOWER:UPPER");
     const Robot robot = Robot::load(path("drives.urdf"));
+    Scene scene;
+    scene.add({"cube", Polyhedron::load(path("cube.obj")),
+               Motion::at_rest(Pose({-0.6, 1.3, -0.5}, Eigen::Quaterniond::Identity()))});
     ConfigurationBox box{robot.neutral(), robot.neutral()};
     box.lower << -3, -2;
     box.upper << 3, 2;
-    const RobotRange same = RobotChecker(robot).range(box, {.tolerance = 0.05});
-    const Json found = json(range + "=-3:3,elbow --tolerance 0.05");
+    const RobotRange same = RobotChecker(robot, &scene).range(box, {.tolerance = 0.05});
+    const Json found = json(range + "=-3:3,elbow --tolerance 0.05 --scene cell.json");
     EXPECT_EQ(found["clear_share"].get<double>(), same.clear_share);
     EXPECT_EQ(found["boxes"][0]["upper"][0].get<double>(), same.clear[0].upper[0]);
     EXPECT_EQ(found["warnings"], Json::array());
