@@ -64,7 +64,12 @@ std::string counts(const Robot& robot, const std::vector<PairProof>& proofs) {
 
 int run_acm(const AcmOptions& options) {
     PairProofOptions search{.seconds = number_of("--seconds", options.seconds), .threads = options.threads};
-    const Robot robot = load_robot(options.robot);
+    const NamedRobots robots = load_robots(options.robot);
+    const Robot robot = together(robots);
+    if (!options.out.empty() && is_cell(robots))
+        throw InvalidInput(
+            "--out: an SRDF file is that of one robot, whose links have no name of a robot in front: ask "
+            "about each robot alone");
     std::optional<OutputFile> file;
     if (!options.out.empty())
         file.emplace(options.out);
@@ -80,7 +85,7 @@ int run_acm(const AcmOptions& options) {
     bar.reset();
     const bool is_whole = !Interruption::is_requested();
     if (file && is_whole) {
-        file->write(robot::srdf_text(robot, proofs, options.robot.srdf));
+        file->write(robot::srdf_text(robot, proofs, options.robot.srdfs.empty() ? "" : options.robot.srdfs.front()));
         file->close();
     }
     print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n"
@@ -96,7 +101,7 @@ int run_acm(const AcmOptions& options) {
 void add_acm(CLI::App& app, Task& task) {
     const auto options = std::make_shared<AcmOptions>();
     CLI::App& command = *app.add_subcommand("acm", "Which links of a robot can ever touch? Proven, not sampled.");
-    add_robot_options(command, options->robot);
+    add_cell_options(command, options->robot);
     add_radius_option(command, options->robot.radii.first, "a shape of the robot");
     command.add_option("--seconds", options->seconds, "what is not decided after this time stays open")
         ->type_name("T")

@@ -121,7 +121,17 @@ std::string parts_report(const std::vector<PartSummary>& parts) {
     return labelled("parts", text);
 }
 
+/// NAME=FILE is how other commands name a robot of a cell.
+void refuse_named_robot(const std::string& given) {
+    const std::size_t sign = given.find('=');
+    std::error_code ignored;
+    if (sign != std::string::npos && is_robot_file(given) && !std::filesystem::exists(given, ignored))
+        throw InvalidInput(io::one_line(given) + ": no such file; info is about one file: ask for " +
+                           io::one_line(given.substr(sign + 1)));
+}
+
 int run_info(const InfoOptions& options) {
+    refuse_named_robot(options.mesh);
     if (is_robot_file(options.mesh))
         return run_robot_info({options.mesh,
                                options.robot.srdf,

@@ -138,6 +138,8 @@ void print(const std::string& text) {
 
 OutputFile::OutputFile(const std::string& name, Leftover leftover)
     : name_(name), target_(target_of(name)), leftover_(leftover) {
+    if (name == "-")
+        throw InvalidInput("-: is no file: name a file, ./- for one of this name, or /dev/stdout");
     require_unread(name);
     if (!is_replaceable(name)) {
         // through a descriptor of its own to where standard output goes, at the same position

@@ -39,7 +39,7 @@ view::Json intervals_json(const std::vector<Bracket>& intervals) {
 
 /// When each pair is the nearest.
 std::string nearest_text(const NamedProfile& found) {
-    const auto& [distance, pairs] = found;
+    const auto& [distance, pairs, has_names] = found;
     std::vector<std::vector<Bracket>> times(pairs.size());
     for (std::size_t i = 0; i < distance.nearest.size(); ++i) {
         std::vector<Bracket>& own = times[distance.nearest[i]];
@@ -55,12 +55,14 @@ std::string nearest_text(const NamedProfile& found) {
     return text;
 }
 
-/// A column for each of two names, if there are any.
+/// A column for each of two names, if pairs have names.
 std::string csv_of(const NamedProfile& found) {
-    const auto& [distance, pairs] = found;
-    std::string text = pairs.empty() ? "time,lower,upper\n" : "time,lower,upper,first,second\n";
+    const auto& [distance, pairs, has_names] = found;
+    std::string text = !has_names ? "time,lower,upper\n" : "time,lower,upper,first,second\n";
     for (std::size_t i = 0; i < distance.times.size(); ++i) {
         text += fmt::format("{},{},{}", distance.times[i], distance.lower[i], distance.upper[i]);
+        if (has_names && pairs.empty())
+            text += ",,";
         if (!pairs.empty()) {
             const auto& [first, second] = pairs[distance.nearest[std::min(i, distance.nearest.size() - 1)]];
             text += "," + io::csv_cell(first) + "," + io::csv_cell(second);
@@ -134,7 +136,7 @@ std::string ProfileRequest::text(const NamedProfile& found) const {
 }
 
 view::Json ProfileRequest::json(const NamedProfile& found, ExitStatus status) const {
-    const auto& [distance, pairs] = found;
+    const auto& [distance, pairs, has_names] = found;
     view::Json zones = view::Json::array();
     for (const double margin : options_.margins) {
         const Zones parts = distance.zones(margin);
@@ -144,7 +146,7 @@ view::Json ProfileRequest::json(const NamedProfile& found, ExitStatus status) co
     view::Json json{{"times", distance.times}, {"lower", distance.lower},
                     {"upper", distance.upper}, {"certain", distance.certain},
                     {"zones", zones},          {"free", intervals_json(distance.free())}};
-    if (!pairs.empty()) {
+    if (has_names) {
         json["pairs"] = view::Json::array();
         for (const auto& [first, second] : pairs)
             json["pairs"].push_back({first, second});

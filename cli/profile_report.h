@@ -36,10 +36,11 @@ void require_svg(const std::string& plot);
 /// Writes what `text` returns, if there is a file.
 void write_to(std::optional<OutputFile>& file, const std::function<std::string()>& text);
 
-/// A profile, and the names of the pairs that its steps count; none where there are only two bodies.
+/// A profile, and the names of the pairs that its steps count.
 struct NamedProfile {
     DistanceProfile distance;
     std::vector<std::pair<std::string, std::string>> pairs;
+    bool has_names = false; ///< not where there are only two bodies; with names there may be no pair
 };
 
 /// What is asked, and the files to write.

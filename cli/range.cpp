@@ -14,12 +14,16 @@
 #include "view/names.h"
 #include "view/range_json.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
+#include <tuple>
 
 namespace chasles::cli {
 namespace {
@@ -46,6 +50,89 @@ Configuration configuration_of(const RangeCommand& options, const Robot& robot, 
         throw InvalidInput("--from: row " + options.from[1] + ": " + options.from[0] + " has the rows 0 to " +
                            std::to_string(rows.configurations.size() - 1));
     return rows.configurations[std::size_t(row)];
+}
+
+/// A joint of --joints: NAME, or NAME=LOWER:UPPER with ends of its own.
+struct JointRange {
+    std::string name;
+    std::optional<std::pair<double, double>> ends;
+};
+
+JointRange joint_range_of(const Robot& robot, const std::string& given) {
+    const std::size_t sign = given.rfind('=');
+    const auto variables = robot.variables();
+    if (sign == std::string::npos || std::ranges::find(variables, given, &RobotVariable::name) != variables.end())
+        return {given, std::nullopt};
+    const std::size_t colon = given.find(':', sign);
+    if (colon == std::string::npos)
+        throw InvalidInput("--joints: " + io::in_quotes(given) + " is not of the form NAME or NAME=LOWER:UPPER");
+    const std::string place = "--joints: " + io::one_line(given.substr(0, sign));
+    const double lower = number_of(place, given.substr(sign + 1, colon - sign - 1)),
+                 upper = number_of(place, given.substr(colon + 1));
+    if (!(lower < upper))
+        throw InvalidInput(place + ": its lower end is not below its upper end");
+    return {given.substr(0, sign), std::pair(lower, upper)};
+}
+
+/// Limits that no query takes. Bases that drive have them.
+void refuse_far_limits(const Robot& robot, std::size_t variable) {
+    constexpr double largest = 1000;
+    const auto& [name, lower, upper, is_continuous] = robot.variables()[variable];
+    if (std::isfinite(upper - lower) && std::max(-lower, upper) > largest)
+        throw InvalidInput(fmt::format("--joints: {0}: the limits of the file, {1:.9g} to {2:.9g}, are beyond 1000 in "
+                                       "magnitude, the largest value: give it a smaller range, {0}=LOWER:UPPER",
+                                       io::one_line(name), lower, upper));
+}
+
+/// The box of the joints that keep their limits.
+ConfigurationBox box_within_limits(const Robot& robot, const std::vector<std::string>& joints,
+                                   const Configuration& configuration) {
+    for (const std::string& joint : joints)
+        refuse_far_limits(robot, robot.variable(joint));
+    try {
+        return box_of_joints(robot, joints, configuration);
+    } catch (const InvalidInput& error) {
+        const std::string why = error.what();
+        throw InvalidInput(why + (why.ends_with("give the ends of its range") ? ", NAME=LOWER:UPPER" : ""));
+    }
+}
+
+/// Ends of the command line may be beyond the limits, with a warning.
+ConfigurationBox box_of(const RangeCommand& options, const Robot& robot, const Configuration& configuration,
+                        std::vector<std::string>& warnings) {
+    std::vector<JointRange> joints;
+    std::vector<std::string> within_limits;
+    std::set<std::size_t> taken;
+    for (const std::string& given : options.joints) {
+        const JointRange& joint = joints.emplace_back(joint_range_of(robot, given));
+        if (!taken.insert(robot.variable(joint.name)).second)
+            throw InvalidInput("range: " + joint.name + ": comes twice");
+        if (!joint.ends)
+            within_limits.push_back(joint.name);
+    }
+    ConfigurationBox box = box_within_limits(robot, within_limits, configuration);
+    for (const auto& [name, ends] : joints) {
+        if (!ends)
+            continue;
+        const std::size_t i = robot.variable(name);
+        const RobotVariable& variable = robot.variables()[i];
+        std::tie(box.lower[Eigen::Index(i)], box.upper[Eigen::Index(i)]) = *ends;
+        if (ends->first < variable.lower || ends->second > variable.upper)
+            warnings.push_back(fmt::format("--joints: {}: {:.9g} to {:.9g} is beyond the limits [{:.9g}, {:.9g}]",
+                                           io::one_line(name), ends->first, ends->second, variable.lower,
+                                           variable.upper));
+    }
+    return box;
+}
+
+/// Before the search, which takes its time.
+void require_inside(const Robot& robot, const ConfigurationBox& box, const Configuration& configuration) {
+    for (Eigen::Index i = 0; i < configuration.size(); ++i)
+        if (configuration[i] < box.lower[i] || configuration[i] > box.upper[i])
+            throw InvalidInput(fmt::format(
+                "--clear-box: {} is {:.9g} in the configuration, outside of its range {:.9g} to "
+                "{:.9g}; --from gives another configuration",
+                io::one_line(robot.variables()[std::size_t(i)].name), configuration[i], box.lower[i], box.upper[i]));
 }
 
 /// A question, with all that is read.
@@ -82,7 +169,9 @@ RangeQuestion read_range_question(const RangeCommand& options) {
         query.hold.reset();
     }
     Configuration configuration = configuration_of(options, robot, warnings);
-    ConfigurationBox box = at_place("--joints", [&] { return box_of_joints(robot, options.joints, configuration); });
+    ConfigurationBox box = at_place("--joints", [&] { return box_of(options, robot, configuration, warnings); });
+    if (options.finds_clear_box)
+        require_inside(robot, box, configuration);
     for (const std::string& warning : robot.warnings_about(std::array{configuration}))
         warnings.push_back("configuration: " + warning);
     return {std::move(robot), std::move(scene),   query, asked, std::move(configuration),
@@ -186,12 +275,14 @@ void add_range(CLI::App& app, Task& task) {
     CLI::App& command =
         *app.add_subcommand("range", "Which configurations of some joints of a robot are clear? Proven, not sampled.");
     RobotCommand& robot = options->robot;
-    add_robot_options(command, robot.robot);
+    add_cell_options(command, robot.robot);
     add_radii_option(command, robot.robot.radii, "the shapes of the robot and of the bodies of the scene");
     add_robot_change_options(command, robot.changes);
-    command.add_option("--joints", options->joints, "the joints that move, within their limits; all others stay")
+    command
+        .add_option("--joints", options->joints,
+                    "the joints that move, within their limits or between the ends given here; all others stay")
         ->required()
-        ->type_name("A,B,..")
+        ->type_name("A[=LOWER:UPPER],B,..")
         ->delimiter(',');
     command
         .add_option("--from", options->from,

@@ -162,7 +162,7 @@ int run_profile(const RobotCommand& options) {
             .profile(question.path, request.options(), question.handovers);
     });
     warn_if_untested(*answer.untested, question.warnings);
-    NamedProfile found{std::move(answer.distance), {}};
+    NamedProfile found{std::move(answer.distance), {}, true};
     for (const RobotPair& pair : answer.pairs)
         found.pairs.emplace_back(pair.first, pair.second);
     request.write(found);

@@ -6,14 +6,9 @@
 #include "cli/options.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace chasles::cli {
-
-void add_robot_options(CLI::App& command, RobotOptions& options) {
-    command.add_option("ROBOT", options.urdf, "URDF file")->required()->type_name("FILE");
-    add_robot_file_options(command, options);
-    add_solid_option(command, options.solid);
-}
 
 namespace {
 
@@ -54,8 +49,8 @@ void add_robot_file_options(CLI::App& command, RobotOptions& options) {
 void add_cell_options(CLI::App& command, RobotOptions& options) {
     command
         .add_option("ROBOT", options.robots,
-                    "URDF file; or several robots in one cell, NAME=FILE each: then --srdf, --base and --path have "
-                    "NAME=VALUE, once for each robot")
+                    "URDF file; or several robots in one cell, NAME=FILE each: then all values that belong to one "
+                    "robot have NAME=VALUE, once for each robot")
         ->required()
         ->type_name("[NAME=]FILE");
     command.add_option("--srdf", options.srdfs, "SRDF file: which links are not tested against each other")
@@ -76,8 +71,8 @@ std::map<std::string, std::string> values_by_robot(const char* option, const std
                                                    const std::vector<std::string>& names) {
     std::map<std::string, std::string> values;
     for (const std::string& text : given) {
-        const auto [name, value] =
-            names.size() == 1 ? std::pair(names.front(), text) : name_and_value(option, text, "NAME=VALUE");
+        const auto [name, value] = names == std::vector<std::string>{""} ? std::pair(names.front(), text)
+                                                                         : name_and_value(option, text, "NAME=VALUE");
         if (std::ranges::find(names, name) == names.end())
             throw InvalidInput(std::string(option) + ": there is no robot " + io::in_quotes(name) + ", only " +
                                io::shown_names(names));
@@ -87,13 +82,25 @@ std::map<std::string, std::string> values_by_robot(const char* option, const std
     return values;
 }
 
+namespace {
+
+/// A single file has the name "", unless a robot is named before it. A name has no slash, but a folder may have the
+/// sign.
+std::pair<std::string, std::string> named_file(const RobotOptions& options, const std::string& given) {
+    const std::size_t sign = given.find('=');
+    std::error_code ignored;
+    if (options.robots.size() == 1 &&
+        (sign == std::string::npos || given.find('/') < sign || std::filesystem::exists(given, ignored)))
+        return {"", given};
+    return name_and_value("ROBOT", given, "NAME=FILE, which each of several robots needs");
+}
+
+} // namespace
+
 NamedRobots load_robots(const RobotOptions& options) {
     std::vector<std::pair<std::string, std::string>> files;
-    if (options.robots.size() == 1)
-        files.emplace_back("", options.robots.front());
-    else
-        for (const std::string& given : options.robots)
-            files.push_back(name_and_value("ROBOT", given, "NAME=FILE, which each of several robots needs"));
+    for (const std::string& given : options.robots)
+        files.push_back(named_file(options, given));
     std::vector<std::string> names;
     for (const auto& [name, file] : files)
         names.push_back(name);
@@ -109,8 +116,12 @@ NamedRobots load_robots(const RobotOptions& options) {
     return robots;
 }
 
+bool is_cell(const NamedRobots& robots) {
+    return !robots.front().first.empty();
+}
+
 Robot together(const NamedRobots& robots) {
-    return robots.size() == 1 ? robots.front().second : Robot::together(robots);
+    return !is_cell(robots) ? robots.front().second : Robot::together(robots);
 }
 
 } // namespace chasles::cli

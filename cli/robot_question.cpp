@@ -71,11 +71,19 @@ JointPath read_together(const NamedRobots& robots, const Robot& cell, const std:
         names.push_back(name);
     const std::map<std::string, std::string> files = values_by_robot("--path", given, names);
     JointPath::OfRobots paths;
+    bool has_path = false;
     for (const auto& [name, robot] : robots)
-        if (const auto file = files.find(name); file != files.end())
-            paths.emplace(name, reader.read_member(name, robot, file->second));
-        else if (!robot.variables().empty())
+        if (const auto file = files.find(name); file != files.end()) {
+            const auto read = paths.emplace(name, reader.read_member(name, robot, file->second)).first;
+            has_path = has_path || std::holds_alternative<JointPath>(read->second);
+        } else if (!robot.variables().empty()) {
             refuse_no_path(robot, name);
+        }
+    if (cell.variables().empty())
+        return JointPath::straight(cell, std::array{cell.neutral(), cell.neutral()});
+    if (!has_path)
+        throw InvalidInput("--path: every robot of the cell rests; repeat the row of one of them to ask about the cell "
+                           "at rest");
     return JointPath::together(cell, paths);
 }
 
@@ -134,7 +142,7 @@ void change_robot(Robot& robot, const RobotCommand& options, const std::optional
 
 Robot read_robot(const RobotCommand& options, const std::optional<SceneFile>& scene,
                  std::vector<std::string>& warnings) {
-    Robot robot = load_robot(options.robot);
+    Robot robot = together(load_robots(options.robot));
     change_robot(robot, options, scene, warnings);
     return robot;
 }
@@ -166,7 +174,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     std::vector<std::string> of_path;
     PathReader reader(of_path);
     const auto read = [&] {
-        if (robots.size() > 1)
+        if (is_cell(robots))
             return read_together(robots, robot, options.paths, reader);
         const auto file = values_by_robot("--path", options.paths, {""});
         return reader.read(robot, file.empty() ? nullptr : &file.begin()->second);
@@ -180,7 +188,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     std::vector<Handover> handovers;
     for (const std::string& given : options.handovers)
         handovers.push_back(handover_of(given));
-    const bool has_stamps = robots.size() > 1 || reader.has_stamps();
+    const bool has_stamps = is_cell(robots) || reader.has_stamps();
     return {std::move(robot), std::move(path), has_stamps,         std::move(handovers),
             std::move(scene), query,           std::move(warnings)};
 }

@@ -109,10 +109,14 @@ std::string report_all(const SceneFile& file, const SceneAnswer& answer, const S
     const Scene& scene = file.scene;
     if (answer.verdict == Verdict::unknown)
         return report_first(file, answer, query);
-    const std::string verb = answer.contacts.size() == 1 ? " touches" : " touch";
+    const auto certain = std::size_t(
+        std::ranges::count_if(answer.contacts, [](const SceneContact& found) { return found.contact.certain; }));
+    const std::size_t open = answer.contacts.size() - certain;
+    const std::string verb = certain == 1 ? " touches" : " touch";
+    const std::string perhaps = open > 0 ? fmt::format(", {}{} perhaps", open, certain > 0 ? " more" : "") : "";
     const std::string limit = query.until < 1 ? " " + during(query.until) : "";
     std::string text =
-        naming_motion(counted(answer.contacts.size(), "pair") + verb + limit, file.motion) + untested_lines(answer);
+        naming_motion(counted(certain, "pair") + verb + perhaps + limit, file.motion) + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));

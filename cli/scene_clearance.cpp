@@ -53,7 +53,7 @@ int run_scene_profile(const SceneProfileQuestion& question) {
     const Limit limit(seconds_of(question.seconds));
     SceneProfile answer = file.scene.profile(request.options());
     answer.untested = file.scene.untested(SceneQuery()); // with names
-    NamedProfile found{std::move(answer.distance), {}};
+    NamedProfile found{std::move(answer.distance), {}, true};
     for (const auto& [moving, fixed] : answer.pairs)
         found.pairs.emplace_back(file.scene.bodies()[moving].name, file.scene.bodies()[fixed].name);
     request.write(found);

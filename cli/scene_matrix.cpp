@@ -46,10 +46,11 @@ std::string headline_of(const DistanceMatrix& found, bool time_was_over) {
     if (found.pairs.empty())
         return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested";
     const std::string of_all = " of " + counted(found.pairs.size(), "pair");
-    const std::size_t touching = count_of(found, Verdict::contact) + count_of(found, Verdict::contact_at_start);
+    const std::size_t touching = count_of(found, Verdict::contact) + count_of(found, Verdict::contact_at_start),
+                      open = count_of(found, Verdict::unknown);
     if (touching > 0)
-        return fmt::format("TOUCH: {}{}", touching, of_all);
-    if (const std::size_t open = count_of(found, Verdict::unknown); open > 0)
+        return fmt::format("TOUCH: {}{}{}", touching, of_all, open > 0 ? fmt::format(", {} more perhaps", open) : "");
+    if (open > 0)
         return fmt::format("NO CLEARANCE PROVEN: {}{}{}", open, of_all, time_was_over ? "; the time was over" : "");
     return fmt::format("CLEARANCE {:.9g}: the least one{}", least_of(found).lower, of_all);
 }
@@ -102,7 +103,7 @@ std::string csv_of(const Scene& scene, const DistanceMatrix& found) {
     for (const auto& [moving, fixed, nearest] : found.pairs)
         text += fmt::format("{},{},{},{},{},{},{}\n", io::csv_cell(scene.bodies()[moving].name),
                             io::csv_cell(scene.bodies()[fixed].name), nearest.distance.lower, nearest.distance.upper,
-                            nearest.time.lower, nearest.time.upper, nearest.certain ? "yes" : "no");
+                            nearest.time.lower, nearest.time.upper, nearest.certain);
     return text;
 }
 

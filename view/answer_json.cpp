@@ -148,6 +148,12 @@ Json scene_distance_json(const chasles::Scene& scene, const SceneDistance& found
     if (found.pair) {
         answer["pair"] = Json{scene.bodies()[found.pair->first].name, scene.bodies()[found.pair->second].name};
         add_found(answer, found.nearest, MotionKind::velocity); // which has no tau
+    } else {
+        for (const char* const key : {"pair", "time", "time_upper"})
+            answer[key] = nullptr;
+        answer["certain"] = found.nearest.certain;
+        answer["pose"] = nullptr;
+        answer["contacts"] = Json::array();
     }
     answer["untested"] = untested_json(found.untested);
     answer["work"] = json_of(found.nearest.work);
@@ -162,6 +168,7 @@ Json distance_matrix_json(const chasles::Scene& scene, const DistanceMatrix& fou
                   {"distance", nearest.distance.lower},
                   {"distance_upper", nearest.distance.upper}};
         add_found(pair, nearest, MotionKind::velocity); // which has no tau
+        pair["work"] = json_of(nearest.work);
         pairs.push_back(std::move(pair));
         work += nearest.work;
     }
@@ -202,7 +209,15 @@ Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& fou
     Json answer;
     answer["distance"] = found.distance.lower;
     answer["distance_upper"] = found.distance.upper;
-    if (found.pair) {
+    if (!found.pair) {
+        for (const char* const key : {"time", "time_upper"})
+            answer[key] = nullptr;
+        answer["certain"] = found.certain;
+        for (const char* const key : {"pair", "segment"})
+            answer[key] = nullptr;
+        answer["contacts"] = Json::array();
+        answer["configuration"] = nullptr;
+    } else {
         const Bracket& time = in_stamps ? found.time : found.nearest.time;
         answer["time"] = time.lower;
         answer["time_upper"] = time.upper;

@@ -26,11 +26,12 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, bool all);
 
 /// The answer of `scene --clearance`: distance, distance_upper, time, time_upper, certain, pair, contacts, and perhaps
-/// overlap, inside and contacts_cut, untested and work. Without a pair: distance and distance_upper, which are null.
+/// overlap, inside and contacts_cut, untested and work. Without a pair all but certain, contacts,
+/// untested and work are null, and contacts is empty.
 Json scene_distance_json(const chasles::Scene& scene, const SceneDistance& found);
 
 /// The answer of `scene --matrix`: `pairs`, each with pair, distance, distance_upper, time, time_upper, certain, pose,
-/// contacts, and perhaps overlap, inside and contacts_cut; untested and work.
+/// contacts, work, and perhaps overlap, inside and contacts_cut; untested and work.
 Json distance_matrix_json(const chasles::Scene& scene, const DistanceMatrix& found);
 
 /// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,
@@ -38,7 +39,7 @@ Json distance_matrix_json(const chasles::Scene& scene, const DistanceMatrix& fou
 /// segment, in [0, 1], or in stamps. Robots' answers have `untested`.
 Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& answer, bool in_stamps);
 /// The answer of `robot --clearance`: distance, distance_upper, time, time_upper, certain, pair, segment, contacts,
-/// configuration and work. Without a pair: distance and distance_upper, which are null, and work.
+/// configuration and work. Without a pair as `scene --clearance`.
 Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& found, bool in_stamps);
 /// The pairs that an answer leaves out. `tested` and `pairs` are the numbers of tested and untested pairs. `reasons`
 /// has reason, count and the first pairs by name for each reason. Links without shapes are in `links`.

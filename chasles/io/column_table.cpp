@@ -5,6 +5,7 @@
 #include "chasles/base/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace chasles::io {
@@ -21,14 +22,68 @@ bool is_comment(std::string_view line) {
     return first != std::string_view::npos && line[first] == '#';
 }
 
-// The comment without its mark.
-std::string_view inside_of(std::string_view comment) {
-    return comment.substr(std::min(comment.find_first_not_of(" \t#"), comment.size()));
-}
-
 void drop_empty_cells_at_end(std::vector<std::string>& cells, std::size_t columns) {
     while (cells.size() > columns && cells.back().empty())
         cells.pop_back();
+}
+
+// "1,5" for 1.5. A comma at the end separates.
+bool has_decimal_comma(std::string_view cell) {
+    std::string with_points(cell);
+    std::ranges::replace(with_points, ',', '.');
+    return with_points != cell && !cell.ends_with(',') && parse_finite(with_points).has_value();
+}
+
+// Whether a first line has no names, but numbers with decimal commas.
+bool has_only_decimal_commas(std::string_view line) {
+    return std::ranges::any_of(std::array{Separator::semicolon, Separator::blanks}, [&](Separator separator) {
+        std::vector<std::string> cells = split_cells(line, separator);
+        drop_empty_cells_at_end(cells, 1);
+        const auto is_one = [](const std::string& cell) { return has_decimal_comma(cell); };
+        return cells.size() > 1 && std::ranges::any_of(cells, is_one) &&
+               std::ranges::all_of(cells, [&](const auto& cell) { return is_one(cell) || parse_number(cell); });
+    });
+}
+
+// A cell after its mark of a comment.
+std::string_view after_mark(std::string_view cell) {
+    return cell.substr(std::min(cell.find_first_not_of('#'), cell.size()));
+}
+
+bool may_be_number(std::string_view cell) {
+    return parse_number(cell).has_value() || has_decimal_comma(cell);
+}
+
+// Whether a cell is written as errors of spreadsheets are: "#N/A", "#REF!", "#NAME?", "#NV", "####".
+bool is_spreadsheet_error(std::string_view cell) {
+    const std::string_view text = after_mark(cell);
+    if (!cell.starts_with('#') || cell.size() < 2 || cell.find_first_of(" \t") != std::string_view::npos)
+        return false;
+    return text.empty() || text.ends_with('!') || text.ends_with('?') || text.find('/') != std::string_view::npos ||
+           text == "NV";
+}
+
+// Whether a line that begins with # may be a row whose first cell is an error of a spreadsheet: the cell is written so,
+// or it is no number while all others are numbers. No spreadsheet writes a blank after the #.
+bool may_begin_with_error(const std::vector<std::string>& cells) {
+    const std::string_view first = after_mark(cells.front());
+    const bool is_word = cells.size() > 1 && !first.empty() && first.front() != ' ' && first.front() != '\t';
+    return is_spreadsheet_error(cells.front()) ||
+           (is_word && !may_be_number(first) &&
+            std::ranges::all_of(cells.begin() + 1, cells.end(),
+                                [](const auto& cell) { return may_be_number(cell) || is_spreadsheet_error(cell); }));
+}
+
+std::string doubt_about_error(const std::string& cell) {
+    return "begins with " + in_quotes(cell) +
+           ": it may be a cell with an error of a spreadsheet, or a comment; mend the cell or delete the line, or "
+           "begin "
+           "the comment with # and a blank";
+}
+
+// The comment without its mark.
+std::string_view inside_of(std::string_view comment) {
+    return comment.substr(std::min(comment.find_first_not_of(" \t#"), comment.size()));
 }
 
 bool all_empty(const std::vector<std::string>& cells) {
@@ -66,8 +121,19 @@ void take_place(std::span<const std::string> names, std::size_t column, const st
         place = column;
 }
 
+// The first name that would be a missing one without its unit.
+std::string unit_as_reason(std::span<const std::string> names, std::span<const std::string> missing,
+                           const std::function<std::string(std::string_view)>& meaning) {
+    for (const std::string& name : names)
+        if (const auto [plain, unit] = split_unit(name);
+            unit && std::ranges::find(missing, meaning(plain)) != missing.end())
+            return "; the unit of " + in_quotes(name) + " is not read: convert the numbers, and leave it out";
+    return {};
+}
+
 void require_places(std::span<const std::string> names, const NamedColumns& columns,
-                    std::span<const std::string> wanted, std::size_t optional_from) {
+                    std::span<const std::string> wanted, std::size_t optional_from,
+                    const std::function<std::string(std::string_view)>& meaning) {
     std::vector<std::string> missing;
     for (std::size_t i = 0; i < optional_from; ++i)
         if (!columns.places[i])
@@ -76,7 +142,8 @@ void require_places(std::span<const std::string> names, const NamedColumns& colu
         throw InvalidInput("the header " + shown_names(names) + " has no column " + list_of(missing) +
                            "; it needs the columns " + list_of(wanted.first(optional_from)) + " in any order" +
                            (optional_from < wanted.size() ? ", and may have " + list_of(wanted.subspan(optional_from))
-                                                          : std::string()));
+                                                          : std::string()) +
+                           unit_as_reason(names, missing, meaning));
 }
 
 /// A unit in brackets belongs to the name before it, also after a blank.
@@ -97,19 +164,38 @@ ColumnTable::ColumnTable(std::string_view text, std::function<bool(std::string_v
     : lines_(without_byte_order_mark(text)), is_name_(std::move(is_name)), text_column_(text_column) {
     std::vector<Comment> comments;
     bool has_line = lines_.next();
+    if (has_line && take_separator(lines_.line()))
+        has_line = lines_.next();
     for (; has_line && (is_comment(lines_.line()) || is_blank_line(lines_.line())); has_line = lines_.next())
         if (is_comment(lines_.line()))
-            comments.push_back({lines_.number(), inside_of(lines_.line())});
+            comments.push_back({lines_.number(), lines_.line()});
     if (has_line)
         read_first_line(comments);
+}
+
+// Excel's "sep=;" is no row.
+bool ColumnTable::take_separator(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t\"");
+    if (first == std::string_view::npos || lower_case(line.substr(first, 4)) != "sep=")
+        return false;
+    const std::string_view named = line.substr(first + 4, 1);
+    if (named.empty() || std::string_view(",;\t ").find(named) == std::string_view::npos)
+        fail_at_line(lines_.number(),
+                     "names the separator " + in_quotes(named) + "; commas, semicolons, tabs and blanks are read");
+    separator_ = static_cast<Separator>(named.front());
+    has_separator_ = true;
+    return true;
 }
 
 // A line of numbers is a row, unless the numbers are names too.
 void ColumnTable::read_first_line(const std::vector<Comment>& comments) {
     const std::string_view line = without_comment(lines_.line());
     line_ = lines_.number();
+    if (has_only_decimal_commas(line))
+        fail_at_line(line_, in_quotes(line) + " has decimal commas; write decimal points");
     try {
-        separator_ = separator_of(line);
+        if (!has_separator_)
+            separator_ = separator_of(line);
     } catch (const InvalidInput& error) {
         fail_at_line(line_, "the header " + in_quotes(line) + " " + error.what());
     }
@@ -127,8 +213,11 @@ void ColumnTable::read_first_line(const std::vector<Comment>& comments) {
 
 // Comments before a row of numbers: one of them may be the header.
 void ColumnTable::take_header_from(const std::vector<Comment>& comments, std::string_view row) {
-    for (const auto& [line, text] : comments) {
-        std::vector<std::string> names = names_in_comment(text);
+    for (const auto& [line, comment] : comments) {
+        if (const std::vector<std::string> cells = cells_in(comment);
+            cells.size() == columns_ && is_spreadsheet_error(cells.front()))
+            fail_at_line(line, doubt_about_error(cells.front()));
+        std::vector<std::string> names = names_in_comment(inside_of(comment));
         const auto known = static_cast<std::size_t>(std::ranges::count_if(names, is_name_));
         if (names.size() == columns_ && 2 * known >= columns_) {
             if (!names_.empty() && names_ != names)
@@ -145,18 +234,22 @@ void ColumnTable::take_header_from(const std::vector<Comment>& comments, std::st
     }
 }
 
-std::vector<std::string> ColumnTable::cells_of(std::string_view line) const {
-    std::vector<std::string> cells = split_cells(has_text_ ? line : without_comment(line), separator_);
+std::vector<std::string> ColumnTable::cells_in(std::string_view line) const {
+    std::vector<std::string> cells = split_cells(line, separator_);
     drop_empty_cells_at_end(cells, columns_);
     return cells;
 }
 
-// With a column of texts, a line that begins with # may be a comment or a row.
+// A line that begins with # may be a row: with an error of a spreadsheet, or with a column of texts.
 std::optional<TableRow> ColumnTable::row_of_comment() const {
-    if (!has_text_)
+    TableRow row{lines_.number(), cells_in(lines_.line()), {}};
+    if (row.cells.size() != columns_)
         return std::nullopt;
-    TableRow row{lines_.number(), cells_of(lines_.line()), true};
-    return row.cells.size() == columns_ ? std::optional(std::move(row)) : std::nullopt;
+    if (may_begin_with_error(row.cells))
+        row.doubt = doubt_about_error(row.cells.front());
+    else if (has_text_)
+        row.doubt = "begins with #: it may be a comment, or a row; put its first cell in quotes, or leave the line out";
+    return row.doubt.empty() ? std::nullopt : std::optional(std::move(row));
 }
 
 std::optional<TableRow> ColumnTable::next() {
@@ -167,7 +260,7 @@ std::optional<TableRow> ColumnTable::next() {
                 return row;
             continue;
         }
-        TableRow row{lines_.number(), cells_of(lines_.line()), false};
+        TableRow row{lines_.number(), cells_in(has_text_ ? lines_.line() : without_comment(lines_.line())), {}};
         if (!all_empty(row.cells))
             return row;
     }
@@ -186,7 +279,7 @@ NamedColumns find_columns(std::span<const std::string> names, std::span<const st
             take_place(names, i, *found, columns.places[static_cast<std::size_t>(found - wanted.begin())],
                        columns.ignored);
     }
-    require_places(names, columns, wanted, optional_from);
+    require_places(names, columns, wanted, optional_from, meaning);
     return columns;
 }
 
@@ -218,19 +311,21 @@ void require_different(std::span<const std::string> names) {
 }
 
 void require_cells(const TableRow& row, std::size_t columns) {
+    if (!row.doubt.empty())
+        throw InvalidInput(row.doubt);
     if (row.cells.size() != columns)
         throw InvalidInput(std::to_string(row.cells.size()) + (row.cells.size() == 1 ? " column" : " columns") +
                            " found, " + std::to_string(columns) + " expected");
 }
 
+std::string decimal_comma_hint(std::string_view cell) {
+    return has_decimal_comma(cell) ? "; write a decimal point" : "";
+}
+
 double cell_number(const std::string& cell, const std::string& name) {
     if (const auto number = parse_finite(cell))
         return *number;
-    std::string with_points = cell;
-    std::ranges::replace(with_points, ',', '.');
-    const bool has_decimal_comma = with_points != cell && parse_finite(with_points).has_value();
-    throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) +
-                       (has_decimal_comma ? "; write a decimal point" : ""));
+    throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) + decimal_comma_hint(cell));
 }
 
 void add_stamp(double stamp, const std::string& name, std::vector<double>& stamps) {

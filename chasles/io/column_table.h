@@ -19,12 +19,15 @@ namespace chasles::io {
 struct TableRow {
     std::size_t line = 0; ///< line number, from 1
     std::vector<std::string> cells;
-    bool may_be_comment = false; ///< the row begins with `#`, but may also be a row whose first cell does
+    std::string doubt; ///< why the line, which begins with `#`, may be a comment or a row; mostly empty
 };
 
 /// Reads a table. The header is the first line that is neither blank nor a comment, or a comment before the first row
 /// of numbers ("# timestamp tx ty tz qx qy qz qw"). Blank lines, comments, a byte order mark, separators at the ends of
-/// lines and lines of separators alone are skipped.
+/// lines and lines of separators alone are skipped. A first line "sep=;" names the separator.
+///
+/// A line after the header that begins with `#` and has as many cells as the header is no comment where its first cell
+/// may be an error of a spreadsheet ("#N/A", "#REF!"): it is a row with a doubt.
 class ColumnTable {
 public:
     /// `is_name` accepts the names that a header of this kind of table has. If there is a column of the name `text`,
@@ -49,10 +52,11 @@ private:
         std::string_view text;
     };
 
+    bool take_separator(std::string_view line);
     void read_first_line(const std::vector<Comment>& comments);
     void take_header_from(const std::vector<Comment>& comments, std::string_view row);
     [[nodiscard]] std::optional<TableRow> row_of_comment() const;
-    [[nodiscard]] std::vector<std::string> cells_of(std::string_view line) const;
+    [[nodiscard]] std::vector<std::string> cells_in(std::string_view line) const;
 
     Lines lines_;
     std::function<bool(std::string_view)> is_name_;
@@ -61,6 +65,7 @@ private:
     std::size_t line_ = 1;
     std::size_t columns_ = 0;
     Separator separator_ = Separator::comma;
+    bool has_separator_ = false; ///< the first line names it
     bool has_text_ = false;
     bool is_at_row_ = false; ///< the first row is the current line
 };
@@ -92,8 +97,11 @@ std::string shown_names(std::span<const std::string> names);
 /// Throws InvalidInput if two of the names are equal.
 void require_different(std::span<const std::string> names);
 
-/// Throws InvalidInput if the row has another number of cells.
+/// Throws InvalidInput if the row may be a comment, or has another number of cells.
 void require_cells(const TableRow& row, std::size_t columns);
+
+/// The way out for a cell such as "1,5", after a semicolon; empty for other cells.
+std::string decimal_comma_hint(std::string_view cell);
 
 /// The finite number in a cell. Throws InvalidInput "NAME: WHY".
 double cell_number(const std::string& cell, const std::string& name);

@@ -123,9 +123,6 @@ void read_pose(const TableRow& row, const PoseTable& table, Path& path) {
 // Reads one row of a list of motions. An invalid row sets `motion.error` and throws nothing.
 void read_motion(const TableRow& row, const PoseTable& table, MotionRow& motion) {
     try {
-        if (row.may_be_comment)
-            throw InvalidInput("begins with #: it may be a comment, or the motion " + in_quotes(motion.id) +
-                               "; put the name in quotes, or leave the line out");
         require_cells(row, table.names.size());
         motion.start = table.pose(row, 0);
         motion.goal = table.pose(row, pose_size);

@@ -55,13 +55,16 @@ std::vector<Vector3d> read_point_table(std::string_view text) {
     }
     std::vector<Vector3d> points;
     while (const auto row = table.next()) {
+        if (!row->doubt.empty())
+            fail_at_line(row->line, row->doubt);
         Vector3d& point = points.emplace_back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t place = places[axis];
-            const auto number = place < row->cells.size() ? parse_finite(row->cells[place]) : std::nullopt;
+            const std::string cell = place < row->cells.size() ? row->cells[place] : std::string();
+            const auto number = parse_finite(cell);
             if (!number)
-                fail_at_line(row->line,
-                             "has no number " + std::string(axes[axis]) + " in column " + std::to_string(place + 1));
+                fail_at_line(row->line, "has no number " + std::string(axes[axis]) + " in column " +
+                                            std::to_string(place + 1) + decimal_comma_hint(cell));
             point[Eigen::Index(axis)] = *number;
         }
     }

@@ -2,6 +2,7 @@
 // Source: docs/derivations/40-ranges.md, "The clear box".
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit_of_thread.h"
+#include "chasles/base/number_text.h"
 #include "chasles/robot/range.h"
 #include "chasles/robot/range_rounds.h"
 
@@ -133,6 +134,23 @@ bool Growing::grow(const Configuration& around) {
     return true;
 }
 
+void require_inside(const RobotChecker::Prepared& prepared, const ConfigurationBox& box, const Configuration& around) {
+    const auto& variables = prepared.model().variables;
+    if (around.size() != box.lower.size())
+        throw InvalidInput("range: around: has " + std::to_string(around.size()) + " values, and the robot has " +
+                           std::to_string(variables.size()) + " variables");
+    for (Eigen::Index i = 0; i < around.size(); ++i) {
+        const double value = around[i], lower = box.lower[i], upper = box.upper[i];
+        if (lower <= value && value <= upper)
+            continue;
+        throw InvalidInput("range: around: " + variables[std::size_t(i)].name + " is " + number_text(value) +
+                           (lower == upper
+                                ? ", and the box holds it at " + number_text(lower) +
+                                      ": box_of_joints(joints, around) makes a box around it"
+                                : ", outside of the box, from " + number_text(lower) + " to " + number_text(upper)));
+    }
+}
+
 } // namespace
 
 ClearBox RobotChecker::clear_box(const ConfigurationBox& within, const Configuration& around) const {
@@ -145,8 +163,7 @@ ClearBox RobotChecker::clear_box(const ConfigurationBox& within, const Configura
     const Limit limit(options.seconds);
     const robot::RangeWorld world(*prepared_);
     const RangeSearch search(world, within);
-    if (around.size() != within.lower.size() || !within.contains(around))
-        throw InvalidInput("range: around: must be a configuration in the box");
+    require_inside(*prepared_, within, around);
     ClearBox found;
     found.box = {around, around};
     found.untested = prepared_->untested;

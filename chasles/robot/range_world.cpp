@@ -1,6 +1,7 @@
 #include "chasles/robot/range_world.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,15 @@ namespace {
     throw InvalidInput("range: " + what + ": " + why);
 }
 
+/// A limit of the file is no value that somebody chose.
+[[noreturn]] void refuse_large(const char* name, const RobotVariable& variable, double value, const std::string& why) {
+    if (value != variable.lower && value != variable.upper)
+        refuse_range(name, variable.name + why);
+    refuse_range(name, variable.name + ": its limit " + number_text(value) +
+                           " is beyond 1000 in magnitude, the largest value: give the box smaller ends of this "
+                           "variable");
+}
+
 void check_end(const Model& model, const Configuration& end, const char* name) {
     const auto count = Eigen::Index(model.variables.size());
     if (end.size() != count)
@@ -23,7 +33,7 @@ void check_end(const Model& model, const Configuration& end, const char* name) {
         if (!std::isfinite(value))
             refuse_range(name, model.variables[i].name + " is not a finite number");
         if (const std::string why = why_too_large(model, i, value); !why.empty())
-            refuse_range(name, model.variables[i].name + why);
+            refuse_large(name, model.variables[i], value, why);
     }
     for (const std::size_t first : model.quaternions)
         if (!(end.segment<4>(Eigen::Index(first)).norm() > 1e-6))

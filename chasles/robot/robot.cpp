@@ -25,6 +25,24 @@ std::shared_ptr<const Model> changed(const Model& model, const Change& change) {
     return copy;
 }
 
+/// Why no variable has this name, which may be that of a joint.
+std::string why_no_variable(const Model& model, std::string_view name) {
+    const auto& joints = model.description.joints;
+    const auto joint = std::ranges::find(joints, name, &JointDescription::name);
+    const std::string none = "there is no such variable of a joint";
+    if (joint == joints.end())
+        return none;
+    if (joint->mimic)
+        return none + ": it follows " + joint->mimic->joint;
+    if (joint->type == JointType::fixed)
+        return none + ": it is fixed";
+    std::string names;
+    for (const RobotVariable& variable : model.variables)
+        if (variable.name.starts_with(joint->name + '/'))
+            names += (names.empty() ? "" : ", ") + variable.name;
+    return none + ": it has several, " + names;
+}
+
 /// The segment that stays at a configuration.
 JointPath::Segment resting_segment(const Robot& robot, const Configuration& configuration) {
     const std::vector<Configuration> both{configuration, configuration};
@@ -75,7 +93,7 @@ std::span<const RobotVariable> Robot::variables() const {
 std::size_t Robot::variable(std::string_view name) const {
     const auto found = model_->variable_of.find(name);
     if (found == model_->variable_of.end())
-        robot::refuse(name, "there is no such variable of a joint");
+        robot::refuse(name, why_no_variable(*model_, name));
     return found->second;
 }
 

@@ -9,6 +9,7 @@
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 #include "view/nearest_first.h"
+#include "view/proven_verdict.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -63,14 +64,15 @@ nb::object array_of_ends(const PythonMatrix& matrix, double Bracket::*end) {
     return array_of(std::span(numbers), {count, count});
 }
 
-std::size_t touching(const PythonMatrix& matrix) {
-    return std::size_t(std::ranges::count_if(
-        matrix.found.pairs, [](const PairDistance& pair) { return pair.nearest.distance.upper == 0; }));
-}
-
 std::string summary(const PythonMatrix& matrix) {
-    const std::size_t pairs = matrix.found.pairs.size(), not_tested = matrix.found.untested.total();
-    return fmt::format("{} bodies, {} pairs, {} in contact{}", matrix.names.size(), pairs, touching(matrix),
+    const auto& pairs = matrix.found.pairs;
+    const auto touching =
+        std::ranges::count_if(pairs, [](const auto& pair) { return pair.nearest.distance.upper == 0; });
+    const auto open = std::ranges::count_if(
+        pairs, [](const auto& pair) { return view::proven_verdict(pair.nearest) == Verdict::unknown; });
+    const std::size_t not_tested = matrix.found.untested.total();
+    return fmt::format("{} bodies, {} pairs, {} in contact{}{}", matrix.names.size(), pairs.size(), touching,
+                       open > 0 ? fmt::format(", {} perhaps", open) : "",
                        not_tested > 0 ? fmt::format(", {} not tested", not_tested) : "");
 }
 

@@ -46,6 +46,10 @@ class Question:
 BODIES = ("moving.obj", "fixed.stl")
 ROBOT = ("arm.urdf", "--srdf", "arm.srdf", "--packages", "parts=packages/parts")
 ROBOT_FILES = ("arm.urdf", "arm.srdf", "in_robot.dae", "packages/parts/meshes/in_package.off")
+TWO_ROBOTS = (
+    *("left=arm.urdf", "right=arm.urdf", "--srdf", "left=arm.srdf"),
+    *("--packages", "parts=packages/parts", "--base", "right=9,0,0"),
+)
 CELL = ("--path", "path.csv", "--scene", "cell.json")
 CELL_FILES = ("path.csv", "cell.json", "fixed.stl", "fixture.urdf", "fixture.3mf")
 PART = ("part.gltf", "part.bin")
@@ -97,8 +101,7 @@ QUESTIONS = {
         ),
         Question(
             "robot-cell",
-            ("robot", "left=arm.urdf", "right=arm.urdf", "--srdf", "left=arm.srdf", "--packages", "parts=packages/parts", "--base",
-             "right=9,0,0", "--path", "left=path.csv", "--path", "right=path.csv"),
+            ("robot", *TWO_ROBOTS, "--path", "left=path.csv", "--path", "right=path.csv"),
             (*ROBOT_FILES, "path.csv"),
             (file("--page"),),
         ),
@@ -115,7 +118,14 @@ QUESTIONS = {
             (*ROBOT_FILES, *CELL_FILES),
             (file("--plot"),),
         ),
+        Question(
+            "range-cell",
+            ("range", *TWO_ROBOTS, "--joints", "left/joint0=-1:1,right/joint0"),
+            ROBOT_FILES,
+            (file("--plot"),),
+        ),
         Question("acm", ("acm", *ROBOT), ROBOT_FILES, (file("--out"),)),
+        Question("acm-cell", ("acm", *TWO_ROBOTS), ROBOT_FILES),
         Question("info", ("info", "moving.obj"), ("moving.obj",)),
         Question("info-robot", ("info", *ROBOT, "--json"), ROBOT_FILES),
         Question("demo", ("demo",), (), (Output("--save", ("/bolt.obj", "/nut.obj")),)),

@@ -81,8 +81,8 @@ TEST_F(CellCommand, RefusesWhatNamesNoRobot) {
               "chasles: --path: there is no robot 'left', only 'lower, upper'\n");
     EXPECT_EQ(refused(both + paths + "--path lower=upper.csv"), "chasles: --path: is given twice for lower\n");
     EXPECT_EQ(refused(both + "--path lower=rest.csv --path upper=rest.csv"),
-              "chasles: path: no robot of the cell has a path: for a cell at rest, JointPath::straight takes its "
-              "configuration twice\n");
+              "chasles: --path: every robot of the cell rests; repeat the row of one of them to ask about the cell at "
+              "rest\n");
     EXPECT_EQ(refused("robot slider.urdf --path upper.csv --path lower.csv"), "chasles: --path: is given twice\n");
     EXPECT_EQ(refused(both + "--base upper=1 " + paths).substr(0, 15), "chasles: --base");
     EXPECT_EQ(refused(both + paths + cube + "--handover 1,small"),
@@ -91,6 +91,43 @@ TEST_F(CellCommand, RefusesWhatNamesNoRobot) {
         refused(both + paths + cube + "--handover 1.5,small,upper/hand"),
         "chasles: handover 0: no segment of the path ends at the stamp 1.5, or it is the last one; segments end at "
         "1, 2\n");
+}
+
+TEST_F(CellCommand, MayHaveOneRobot) {
+    const nlohmann::json found =
+        json("robot only=slider.urdf --base \"only=1 0 0\" --path only=upper.csv --scene wall.json");
+    EXPECT_EQ(found["pair"], nlohmann::json({"only/hand", "wall"}));
+    write("on=off.urdf", slider("0"));
+    EXPECT_EQ(json("robot on=off.urdf --path upper.csv --scene wall.json")["pair"], nlohmann::json({"hand", "wall"}));
+    EXPECT_EQ(error_line("robot only=slider.urdf --path upper.csv"),
+              "chasles: --path: 'upper.csv' is not of the form NAME=VALUE");
+    EXPECT_EQ(error_line("info left=slider.urdf"),
+              "chasles: left=slider.urdf: no such file; info is about one file: ask for slider.urdf");
+}
+
+/// The answers are those of the cell that the library makes.
+TEST_F(CellCommand, HasRangesAndPairs) {
+    Robot lower = Robot::load(path("slider.urdf")), upper = lower;
+    upper.set_base(Pose({0, 0, 0.15}, Eigen::Quaterniond::Identity()));
+    const Robot cell = Robot::together({{"lower", lower}, {"upper", upper}});
+    const std::vector<std::string> joints{"lower/x", "upper/x"};
+    const RobotRange same = RobotChecker(cell).range(box_of_joints(cell, joints, cell.neutral()), {.tolerance = 0.05});
+    const std::string robots = "lower=slider.urdf upper=slider.urdf --base \"upper=0 0 0.15\" ";
+    const nlohmann::json found = json("range " + robots + "--joints lower/x,upper/x --tolerance 0.05");
+    EXPECT_EQ(found["joints"], nlohmann::json(joints));
+    EXPECT_EQ(found["clear_share"].get<double>(), same.clear_share);
+    EXPECT_GT(same.contact_share, 0);
+    EXPECT_EQ(found["boxes"].size(), same.clear.size());
+    const nlohmann::json pairs = json("acm " + robots);
+    ASSERT_EQ(pairs["pairs"].size(), 1U);
+    EXPECT_EQ(pairs["pairs"][0]["links"], nlohmann::json({"lower/hand", "upper/hand"}));
+    EXPECT_EQ(pairs["pairs"][0]["reason"], "sometimes");
+    EXPECT_EQ(json("acm lower=slider.urdf upper=slider.urdf --base \"upper=0 0 0.4\"")["pairs"][0]["reason"], "never");
+    write("no.srdf", R"(<robot name="slider"><disable_collisions link1="rail" link2="hand" reason="Never"/></robot>)");
+    EXPECT_EQ(run("acm " + robots + "--srdf lower=no.srdf").status, 0);
+    EXPECT_NE(error_line("acm " + robots + "--out a.srdf").find("ask about each robot alone"), std::string::npos);
+    EXPECT_EQ(error_line("acm " + robots + "--srdf no.srdf"),
+              "chasles: --srdf: 'no.srdf' is not of the form NAME=VALUE");
 }
 
 } // namespace

@@ -98,6 +98,17 @@ TEST_F(Output, TheMeshesOfTheDemoNeedTheirFolder) {
               "chasles: /no/such/folder/bolt.obj: cannot be written: No such file or directory");
 }
 
+TEST_F(Output, ADashIsNoFile) {
+    for (const std::string command :
+         {"scene scene.json --matrix --csv ", "scene scene.json --matrix --plot ", "scene scene.json --page ",
+          "drag scene.json --body box --goals goals.csv --out "})
+        EXPECT_EQ(error_line(command + "-"),
+                  "chasles: -: is no file: name a file, ./- for one of this name, or /dev/stdout");
+    EXPECT_FALSE(std::filesystem::exists(path("-")));
+    EXPECT_NE(run("scene scene.json --matrix --csv ./-").status, 2);
+    EXPECT_TRUE(std::filesystem::exists(path("-")));
+}
+
 TEST_F(Output, EachHasANameOfItsOwn) {
     write("rows.csv", "precious");
     std::filesystem::create_symlink(path("rows.csv"), path("link"));

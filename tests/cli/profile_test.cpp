@@ -107,6 +107,15 @@ TEST_F(ProfileCommand, OfASceneNamesTheNearestPair) {
     EXPECT_EQ(answer["pairs"], Json::parse(R"([["cart", "left"], ["cart", "right, far"]])"));
     EXPECT_EQ(answer["nearest"].size() + 1, answer["times"].size());
     EXPECT_EQ(answer["untested"]["pairs"], 1);
+    write("rest.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"}]})");
+    const Json none = Json::parse(run("scene rest.json --profile --json --csv rest.csv").out);
+    for (const auto& [key, value] : answer.items())
+        EXPECT_TRUE(none.contains(key)) << key;
+    EXPECT_EQ(none["pairs"], Json::array());
+    EXPECT_EQ(none["nearest"], Json::array());
+    std::ifstream rest(path("rest.csv"));
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(rest), {}),
+              "time,lower,upper,first,second\n0,inf,inf,,\n1,inf,inf,,\n");
     EXPECT_EQ(run("scene hall.json --tolerance 0.1").status, 2) << "of what?";
     EXPECT_EQ(run("scene hall.json --csv hall.csv").status, 2) << "of what?";
     EXPECT_EQ(run("scene hall.json --profile --csv hall.json").status, 2) << "an input";

@@ -119,6 +119,38 @@ TEST_F(RangeCommand, RefusesInOneLine) {
     EXPECT_NE(run("range arm.urdf").err.find("--joints is required"), std::string::npos);
 }
 
+/// Bases that drive have far limits in their files.
+TEST_F(RangeCommand, TakesEndsOfItsOwn) {
+    std::string drives = two_links;
+    drives.replace(drives.find("\"-3\" upper=\"3\""), 14, "\"-999999\" upper=\"999999\"");
+    write("drives.urdf", drives);
+    const std::string range = "range drives.urdf --joints shoulder";
+    EXPECT_EQ(
+        error_line(range + ",elbow"),
+        "chasles: --joints: shoulder: the limits of the file, -999999 to 999999, are beyond 1000 in magnitude, the "
+        "largest value: give it a smaller range, shoulder=LOWER:UPPER");
+    const Robot robot = Robot::load(path("drives.urdf"));
+    Scene scene;
+    scene.add({"cube", Polyhedron::load(path("cube.obj")),
+               Motion::at_rest(Pose({-0.6, 1.3, -0.5}, Eigen::Quaterniond::Identity()))});
+    ConfigurationBox box{robot.neutral(), robot.neutral()};
+    box.lower << -3, -2;
+    box.upper << 3, 2;
+    const RobotRange same = RobotChecker(robot, &scene).range(box, {.tolerance = 0.05});
+    const Json found = json(range + "=-3:3,elbow --tolerance 0.05 --scene cell.json");
+    EXPECT_EQ(found["clear_share"].get<double>(), same.clear_share);
+    EXPECT_EQ(found["boxes"][0]["upper"][0].get<double>(), same.clear[0].upper[0]);
+    EXPECT_EQ(found["warnings"], Json::array());
+    EXPECT_EQ(json("range arm.urdf --joints elbow=-1:2.5")["warnings"][0],
+              "--joints: elbow: -1 to 2.5 is beyond the limits [-2, 2]");
+    EXPECT_EQ(error_line(range + "=3"), "chasles: --joints: 'shoulder=3' is not of the form NAME or NAME=LOWER:UPPER");
+    EXPECT_EQ(error_line(range + "=3:-3"), "chasles: --joints: shoulder: its lower end is not below its upper end");
+    EXPECT_EQ(error_line(range + "=-3:3,shoulder"), "chasles: --joints: range: shoulder: comes twice");
+    EXPECT_EQ(error_line(range + "=1:3 --clear-box"),
+              "chasles: --clear-box: shoulder is 0 in the configuration, outside of its range 1 to 3; --from gives "
+              "another configuration");
+}
+
 TEST_F(RangeCommand, EndsInTime) {
     EXPECT_EQ(run(both + "--scene cell.json --seconds 0.2 --tolerance 0").status, 1);
 }

@@ -137,7 +137,11 @@ TEST_F(RobotCommand, FindsTheClearance) {
     write("lonely.urdf", R"(<robot name="lonely"><link name="a"/><link name="b"/>
         <joint name="spin" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
     write("lonely.csv", "spin\n0\n1\n");
-    EXPECT_TRUE(json("robot lonely.urdf --path lonely.csv --clearance")["distance"].is_null());
+    const Json lonely = json("robot lonely.urdf --path lonely.csv --clearance");
+    for (const auto& [key, value] : timed.items())
+        EXPECT_TRUE(lonely.contains(key)) << key;
+    for (const char* const key : {"distance", "pair", "time", "segment", "configuration"})
+        EXPECT_TRUE(lonely[key].is_null()) << key;
     EXPECT_NE(run("robot lonely.urdf --path lonely.csv --clearance").out.find("no two bodies are tested"),
               std::string::npos);
     EXPECT_EQ(run("robot arm.urdf --path path.csv --clearance --any").status, 2);

@@ -48,6 +48,14 @@ TEST_F(SceneClearance, OfNoPairHasNoLimit) {
     const auto finished = run("scene rest.json --clearance");
     EXPECT_EQ(finished.status, 0) << finished.err;
     EXPECT_TRUE(finished.out.starts_with("CLEARANCE WITHOUT A LIMIT: no two bodies are tested")) << finished.out;
+    const Json none = Json::parse(run("scene rest.json --clearance --json").out),
+               found = Json::parse(run("scene scene.json --clearance --json").out);
+    for (const auto& [key, value] : found.items())
+        EXPECT_TRUE(none.contains(key)) << key;
+    for (const char* const key : {"distance", "distance_upper", "pair", "time", "time_upper", "pose"})
+        EXPECT_TRUE(none[key].is_null()) << key;
+    EXPECT_EQ(none["contacts"], Json::array());
+    EXPECT_EQ(none["certain"], true);
 }
 
 TEST_F(SceneClearance, TakesNoMarginNoPageAndNoTime) {

@@ -70,6 +70,10 @@ TEST_F(SceneMatrix, OfBodiesThatStayApartNamesTheLeastDistance) {
         EXPECT_NEAR(answer["pairs"][i]["distance_upper"], distances[i], 1e-5 * distances[i]);
         EXPECT_EQ(answer["pairs"][i]["certain"], true);
     }
+    std::size_t node_pairs = 0;
+    for (const Json& pair : answer["pairs"])
+        node_pairs += pair["work"]["node_pairs"].get<std::size_t>();
+    EXPECT_EQ(answer["work"]["node_pairs"], node_pairs);
     EXPECT_EQ(answer["pairs"][0]["pair"], Json::parse(R"(["cart", "<post>"])"));
     EXPECT_EQ(answer["pairs"][2]["pair"], Json::parse(R"(["cart", "far"])"));
     EXPECT_EQ(answer["untested"]["tested"], 3);
@@ -84,7 +88,7 @@ TEST_F(SceneMatrix, WritesATableAndAPicture) {
         rows.push_back(row);
     ASSERT_EQ(rows.size(), 9U);
     EXPECT_EQ(rows[0], "first,second,distance,distance_upper,time,time_upper,certain");
-    EXPECT_TRUE(rows[1].starts_with("cart,<post>,0.49") && rows[1].ends_with(",yes")) << rows[1];
+    EXPECT_TRUE(rows[1].starts_with("cart,<post>,0.49") && rows[1].ends_with(",true")) << rows[1];
     EXPECT_EQ(occurrences(content("m.csv"), "cart,\"wall, old\",0,0,0.7"), 1U);
     const std::string picture = content("m.svg");
     EXPECT_EQ(occurrences(picture, "#d4147f"), 2 * 2U + 1) << "each contact twice, and the legend";

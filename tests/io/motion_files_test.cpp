@@ -123,7 +123,7 @@ TEST_F(MotionFiles, ReadsMotionsByNameInAnyOrder) {
     EXPECT_EQ(list.rows[0].start.translation, Eigen::Vector3d(5, 6, 7));
     EXPECT_EQ(list.rows[0].goal.translation, Eigen::Vector3d(10, 20, 30));
     EXPECT_EQ(list.rows[0].goal.rotation.coeffs(), Eigen::Vector4d(1, 2, 3, 4)) << "x, y, z, w";
-    EXPECT_TRUE(list.rows[1].error.starts_with("line 5: begins with #: it may be a comment, or the motion 'm'"))
+    EXPECT_TRUE(list.rows[1].error.starts_with("line 5: begins with #: it may be a comment, or a row"))
         << list.rows[1].error;
     ASSERT_EQ(list.warnings.size(), 1U);
     EXPECT_EQ(without_folder(list.warnings[0]),

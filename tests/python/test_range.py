@@ -105,7 +105,7 @@ def test_what_is_no_box_is_refused(arm, scene):
         arm.range([0, 1], [0, 1])
     with pytest.raises(chasles.InvalidInput, match="there is no such variable"):
         arm.box_of_joints(["wrist"])
-    with pytest.raises(chasles.InvalidInput, match="^range: around: must be a configuration in the box$"):
+    with pytest.raises(chasles.InvalidInput, match="^range: around: shoulder is 2, outside of the box, from 0 to 1$"):
         arm.clear_box([0, 0], [1, 1], around=[2, 0])
     moving = chasles.Scene()
     moving.add("cart", chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES), pose=pose(3, 0, 0), goal=pose(4, 0, 0))

@@ -283,7 +283,25 @@ TEST(RobotRange, RefusesWhatIsNoBox) {
     EXPECT_EQ(refusal([&] {
                   (void)checker.clear_box({values(0, 0), values(1, 1)}, values(2, 0));
               }),
-              "range: around: must be a configuration in the box");
+              "range: around: shoulder is 2, outside of the box, from 0 to 1");
+    EXPECT_EQ(refusal([&] {
+                  (void)checker.clear_box({values(0, 0), values(1, 0)}, values(0.5, 0.25));
+              }),
+              "range: around: elbow is 0.25, and the box holds it at 0: box_of_joints(joints, around) makes a box "
+              "around it");
+}
+
+/// Files give joints that slide far such limits.
+TEST(RobotRange, NamesALimitThatIsTooFar) {
+    RobotDescription description = arm_beside_a_wall().description();
+    description.joints[1].upper = 999999;
+    const Robot robot(description);
+    ConfigurationBox box = box_of_joints(robot, both, robot.neutral());
+    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot).range(box); }),
+              "range: upper: elbow: its limit 999999 is beyond 1000 in magnitude, the largest value: give the box "
+              "smaller ends of this variable");
+    box.upper[1] = 0.1;
+    (void)RobotChecker(robot).range(box);
 }
 
 TEST(RobotRange, RefusesQuaternionsAndSlidesWithoutLimits) {

@@ -75,6 +75,13 @@ TEST(Robot, HasVariablesAndNeutralValues) {
     EXPECT_EQ(robot.neutral(), values({0, 0.5, -0.25}));
     EXPECT_EQ(robot.state("up"), values({0, 1.5, -0.25}));
     EXPECT_EQ(refusal([&] { (void)robot.variable("elbow"); }), "robot: elbow: there is no such variable of a joint");
+    description.joints[1].mimic = MimicDescription{"joint1"};
+    description.joints[2].type = JointType::fixed;
+    const Robot follower(description);
+    EXPECT_EQ(refusal([&] { (void)follower.variable("joint2"); }),
+              "robot: joint2: there is no such variable of a joint: it follows joint1");
+    EXPECT_EQ(refusal([&] { (void)follower.variable("joint3"); }),
+              "robot: joint3: there is no such variable of a joint: it is fixed");
     EXPECT_EQ(refusal([&] { (void)robot.state("down"); }), "robot: down: there is no such state");
 }
 

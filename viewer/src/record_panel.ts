@@ -15,10 +15,16 @@ function isLater({ events, times }: SceneRecord): boolean {
   return events[0].time_upper > unpackedNumbers(times)[0];
 }
 
+/** How many pairs are proven to touch, and how many perhaps do. */
+function touchText(proven: number, open: number): string {
+  const text = counted(proven, "pair touches", "pairs touch");
+  return open > 0 ? `${text}, ${open.toLocaleString("en")} ${proven > 0 ? "more " : ""}perhaps` : text;
+}
+
 /** Of the least distances of all pairs. */
 function matrixVerdict(pairs: PairDistance[]): string {
   const [touching, open] = [touches, isOpen].map((holds) => pairs.filter(holds).length);
-  if (touching > 0) return counted(touching, "pair touches", "pairs touch");
+  if (touching > 0) return touchText(touching, open);
   return open > 0 ? counted(open, "pair in doubt", "pairs in doubt") : "Clear";
 }
 
@@ -38,7 +44,10 @@ function verdict(record: SceneRecord): string {
   if (matrix) return matrixVerdict(matrix);
   if (source === "recording") return events.length === 0 ? "Recording" : counted(events.length, "contact", "contacts");
   if (events.length === 0) return "Clear";
-  if (source === "all_contacts") return counted(events.length, "pair touches", "pairs touch");
+  if (source === "all_contacts") {
+    const proven = events.filter(({ certain }) => certain).length;
+    return touchText(proven, events.length - proven);
+  }
   return isLater(record) ? "First contact" : "Contact at the start";
 }
 
