@@ -107,8 +107,9 @@ SmoothPiece::Rates SmoothPiece::rates_of(const Bracket& times) const {
     return {frame.rates(times), {}};
 }
 
-/// The rates of a part cost as much as two poses in double, so those of the piece serve all parts there. Refined poses cost
-/// far more, and the rates of a short part may be far smaller: where a motion comes to rest, and where a contact grazes.
+/// The rates of a part cost as much as two poses in double, so those of the piece serve all parts there. Refined poses
+/// cost far more, and the rates of a short part may be far smaller: where a motion comes to rest, and where a contact
+/// grazes.
 template <class S>
 EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     if (std::is_same_v<S, double> && are_finite(rates_.bounds))

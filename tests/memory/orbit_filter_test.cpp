@@ -94,12 +94,12 @@ TEST(OrbitFilter, ServesEnclosedMotionsOnAHelix) {
     }
 }
 
-/// A tip turns about the axis and reaches out on its way, by less than a part in ten thousand of its arm. At both ends, from which
-/// the cubic motion is made, it is on one circle.
+/// A tip turns about the axis and reaches out on its way, by less than a part in ten thousand of its arm. At both ends,
+/// from which the cubic motion is made, it is on one circle.
 TEST(OrbitFilter, CountsHowFarAnEnclosedMotionIsFromTheCubicOne) {
     constexpr double reach = 6e-5;
-    const Motion way = Motion::hinge({0, 0, 0}, {0, 0, 1}, {-0.05, 0.1}) *
-                       Motion::slider({1, 0, 0}, {0, 4 * reach, -4 * reach});
+    const Motion way =
+        Motion::hinge({0, 0, 0}, {0, 0, 1}, {-0.05, 0.1}) * Motion::slider({1, 0, 0}, {0, 4 * reach, -4 * reach});
     const std::vector<std::vector<std::uint32_t>> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     const std::vector<Vector3d> tip{{1, 0, 0}, {0, 0.1, 0}, {0, -0.1, 0}, {0, 0, 0.1}};
     constexpr double place = 1 + reach / 2;

@@ -92,8 +92,8 @@ TEST(PlanarMotions, PlatesThatComeDownTouchWhenTheirHeightsMeet) {
     EXPECT_GT(certain, 190);
 }
 
-/// The lower cube's top and the upper one's bottom meet at 2/3 of the time, from where on the upper one stands still. It
-/// comes down as the cube of the time left, and turns until then.
+/// The lower cube's top and the upper one's bottom meet at 2/3 of the time, from where on the upper one stands still.
+/// It comes down as the cube of the time left, and turns until then.
 TEST(PlanarMotions, ASplineThatStopsAtTouchIsFollowedToTheStop) {
     const Polyhedron cube = make_box({1, 1, 1});
     const auto lands = [&](double gap) {
