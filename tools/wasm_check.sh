@@ -29,7 +29,7 @@ npm install --no-save --ignore-scripts --prefer-offline --no-audit --no-fund --l
 node node_modules/typescript/bin/tsc
 export CHASLES_NATIVE_ANSWERS="${native:-}" CHASLES_DATA_DIR="${CHASLES_DATA_DIR:-}"
 node --expose-gc --test --test-reporter=spec \
-    package.test.mjs arguments.test.mjs three.test.mjs workers.test.mjs hands.test.mjs scenes.test.mjs inside.test.mjs bodies.test.mjs radius.test.mjs types.test.mjs native.test.mjs readme.test.mjs
+    package.test.mjs arguments.test.mjs three.test.mjs workers.test.mjs hands.test.mjs scenes.test.mjs inside.test.mjs bodies.test.mjs radius.test.mjs large.test.mjs types.test.mjs native.test.mjs readme.test.mjs
 
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 for test in "browser_test.py . $bundler" "vite_test.py ."; do

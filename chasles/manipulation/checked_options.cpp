@@ -47,14 +47,20 @@ MassProperties mass_of(const DragOptions& options, const Polyhedron& shape) {
     return *options.mass;
 }
 
-void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose) {
+void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose, bool is_goal) {
     const MeshReport report = shape.report();
     const double lengths = pose.translation.norm() + report.lower.norm() + report.upper.norm();
     const double least = 0x1p-28 * lengths;
-    if (!(distances.margin >= least))
-        throw InvalidInput("drag: margin: " + number_text(distances.margin) +
-                           " is below a 2^28th of the lengths of the pose, " + number_text(least) +
-                           ", and so too near to its rounding; give a larger one, or put the bodies near the origin");
+    if (distances.margin >= least)
+        return;
+    const std::string margin = number_text(distances.margin);
+    const std::string limit = " below a 2^28th of the lengths of the pose, " + number_text(least);
+    if (is_goal)
+        throw InvalidInput("drag: goal: is too far away: the margin, " + margin + ", is" + limit +
+                           ", and so too near to the rounding of such poses; give a goal that is nearer to the "
+                           "origin, or drag with a larger margin");
+    throw InvalidInput("drag: margin: " + margin + " is" + limit +
+                       ", and so too near to its rounding; give a larger one, or put the bodies near the origin");
 }
 
 } // namespace chasles::manipulation

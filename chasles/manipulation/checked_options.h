@@ -19,7 +19,8 @@ MassProperties mass_of(const DragOptions& options, const Polyhedron& shape);
 double diagonal(const Polyhedron& shape);
 
 /// The gap of contacts is far above the rounding of poses. The least clearance is 2^-22 of the margin, and a point of
-/// the body is off its place by less than 2^-50 of the lengths that enter. Throws InvalidInput if the margin is less.
-void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose);
+/// the body is off its place by less than 2^-50 of the lengths that enter. Throws InvalidInput if the margin is less:
+/// the message names the goal if the pose is one.
+void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose, bool is_goal = false);
 
 } // namespace chasles::manipulation

@@ -285,7 +285,8 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
 
 Pose DraggedBody::Implementation::checked(const Pose& wanted) const {
     Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
-    manipulation::check_rounding(distances_, shape_, goal);
+    constexpr bool is_goal = true;
+    manipulation::check_rounding(distances_, shape_, goal, is_goal);
     return goal;
 }
 

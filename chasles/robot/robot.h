@@ -198,7 +198,7 @@ struct [[nodiscard]] RobotAnswer {
     Bracket time;
     bool certain = false;          ///< whether the verdict is proven: always if the path is clear
     std::optional<RobotPair> pair; ///< that touches first
-    FirstContact contact;          ///< of the pair: the first one moves. In the world
+    FirstContact contact;          ///< of the pair: the first one moves. In the world; none if clear
     Configuration configuration;   ///< at the lower end of `time`; at the end of the path if clear
     /// Before this stamp nothing comes within the margin; held pairs do not come within `hold`, or nearer than where
     /// their segment began if that is less.

@@ -52,7 +52,7 @@ struct SceneQuery {
 struct SceneContact {
     std::size_t moving = 0; ///< the index of the body in Scene::bodies()
     std::size_t fixed = 0;  ///< likewise; it stands still, or the order of names decides
-    FirstContact contact;
+    FirstContact contact;   ///< of this pair; what it held at the start, too
 };
 
 /// The answer for a whole scene.

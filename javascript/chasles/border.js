@@ -1,10 +1,11 @@
 // The module in memory: arguments go in through two buffers, answers come out of one (javascript/src/border.h).
 import { Reader } from "./answers.js";
-import { InstanceStopped, InvalidInput } from "./errors.js";
-import { inJavaScript } from "./values.js";
+import { InstanceStopped, InvalidInput, outOfMemory } from "./errors.js";
+import { inJavaScript, Numbers } from "./values.js";
 
 const refused = -1;
-const outOfMemory = -2;
+const memoryIsFull = -2;
+const mostOfBuffer = 2 ** 32 - 1; // counts go in as 32 bits
 
 const noText =
   'load: there are no TextEncoder and TextDecoder here, as in the environment jsdom of Jest: test in the environment "node", or set both of node:util as globals before';
@@ -52,7 +53,7 @@ export class Border {
     const status = this.#enter(`chasles_${name}`, values);
     if (status >= 0) return status;
     if (status === refused) throw new InvalidInput(inJavaScript(this.#text()));
-    if (status === outOfMemory) throw new RangeError("chasles: out of memory");
+    if (status === memoryIsFull) throw outOfMemory();
     this.#stopped = new Error(this.#text());
     throw new InstanceStopped(this.#stopped);
   }
@@ -70,8 +71,9 @@ export class Border {
     return new Reader(this.#memory(), this.#address("answer") / 8);
   }
 
-  /** Writes numbers for the next call: an array, or a typed array. */
-  giveNumbers(numbers) {
+  /** Writes numbers for the next call: an array, a typed array, or Numbers. */
+  giveNumbers(given) {
+    const numbers = given instanceof Numbers ? given.all : given;
     const address = this.#address("numbers", numbers.length);
     this.#memory().set(numbers, address / 8);
   }
@@ -93,8 +95,9 @@ export class Border {
 
   /** The address of a buffer, which has room for `count`. */
   #address(buffer, count = 0) {
+    if (count > mostOfBuffer) throw outOfMemory();
     const address = this.#enter(`chasles_${buffer}`, [count]) >>> 0;
-    if (address === 0 && count > 0) throw new RangeError("chasles: out of memory");
+    if (address === 0 && count > 0) throw outOfMemory();
     return address;
   }
 

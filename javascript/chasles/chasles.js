@@ -10,7 +10,7 @@ import {
 import { capsule, fromArrays, fromFile, pointsBody, Polyhedron } from "./polyhedron.js";
 import { addPoses } from "./poses.js";
 import { DraggedBody, Scene } from "./scene.js";
-import { checkOptions, number } from "./values.js";
+import { checkOptions, Numbers, number } from "./values.js";
 import { Workers } from "./workers.js";
 
 /** What `load` returns. */
@@ -73,7 +73,7 @@ export class Chasles {
 
   firstContactOnPath(moving, fixed, path, options = {}) {
     checkOptions(options, [...queryOptions, ...motionOptions]);
-    const asked = addQuery(this.#bodies(moving, fixed), options);
+    const asked = addQuery(new Numbers(...this.#bodies(moving, fixed)), options);
     this.#border.giveNumbers(addPoses(addRule(asked, options), path, "poses"));
     return pathContact(this.#border.read("first_contact_on_path"));
   }
@@ -87,7 +87,7 @@ export class Chasles {
 
   profile(moving, fixed, start, goal, options = {}) {
     checkOptions(options, [...profileOptions, ...motionOptions, ...fixedOptions]);
-    const asked = addProfile(this.#bodies(moving, fixed), options);
+    const asked = addProfile(new Numbers(...this.#bodies(moving, fixed)), options);
     this.#border.giveNumbers(addMotion(asked, start, goal, options));
     return profile(this.#border.read("profile"));
   }

@@ -6,6 +6,10 @@ export class InvalidInput extends Error {
   }
 }
 
+/** The memory of the instance is full. It answers on, and has room again when bodies are freed. */
+export const outOfMemory = () =>
+  new RangeError("chasles: out of memory: an instance has at most 4 GiB: free() what is not needed, or give less at once; this instance goes on");
+
 /** The instance stopped within a call, and answers no more. `cause` says why; `load()` makes a new one. */
 export class InstanceStopped extends Error {
   constructor(cause) {

@@ -51,19 +51,27 @@ function firstCorner(start, name) {
   return Math.max(start, 0);
 }
 
+const undrawn = -1;
+
+/** How many ids the triangles from a corner up to another one need. */
+const idsOf = ({ begin, end }) => (end - begin >= 3 ? Math.floor(begin / 3) + Math.floor((end - begin) / 3) : 0);
+
 /**
- * The first corner of each triangle that WebGLRenderer draws, by its id there (`faceIndex`); holes for others. A draw range, and a group
+ * The first corner of each triangle that WebGLRenderer draws, by its id there (`faceIndex`), or `undrawn`. A draw range, and a group
  * within it, begin at any corner, and corners at their end that are no whole triangle are not drawn. Without groups all is drawn.
  */
 function drawnTriangles(geometry, groups = [{ start: 0, count: Infinity }]) {
   const { start: from = 0, count = Infinity } = geometry.drawRange ?? {};
   const first = firstCorner(from, "geometry.drawRange");
-  const triangles = [];
-  for (const group of groups) {
-    const end = Math.min(from + count, group.start + group.count, cornerCount(geometry));
-    for (let i = Math.max(first, firstCorner(group.start, "geometry.groups")); i + 3 <= end; i += 3) {
+  const parts = groups.map((group) => ({
+    begin: Math.max(first, firstCorner(group.start, "geometry.groups")),
+    end: Math.min(from + count, group.start + group.count, cornerCount(geometry)),
+  }));
+  const triangles = new Float64Array(parts.reduce((most, part) => Math.max(most, idsOf(part)), 0)).fill(undrawn);
+  for (const { begin, end } of parts) {
+    for (let i = begin; i + 3 <= end; i += 3) {
       const id = Math.floor(i / 3);
-      if ((triangles[id] ?? i) !== i) refuse(`geometry.groups: two of them draw two triangles of one faceIndex (${id}): groups that overlap must begin at multiples of 3`);
+      if (triangles[id] !== undrawn && triangles[id] !== i) refuse(`geometry.groups: two of them draw two triangles of one faceIndex (${id}): groups that overlap must begin at multiples of 3`);
       triangles[id] = i;
     }
   }
@@ -77,11 +85,11 @@ function drawnTriangles(geometry, groups = [{ start: 0, count: Infinity }]) {
 function cornersOf(geometry, triangles, groups) {
   const { index } = geometry;
   const corner = (k) => (index ? index.getX(k) : k);
-  const first = triangles.find((start) => start !== undefined);
+  const first = triangles.find((start) => start !== undrawn);
   if (first === undefined) refuseNothing(geometry, groups);
-  const corners = [];
+  const corners = new Float64Array(3 * triangles.length); // what is no index is refused later
   for (let id = 0; id < triangles.length; ++id)
-    for (let k = 0; k < 3; ++k) corners.push(corner(triangles[id] === undefined ? first : triangles[id] + k));
+    for (let k = 0; k < 3; ++k) corners[3 * id + k] = corner(triangles[id] === undrawn ? first : triangles[id] + k);
   return corners;
 }
 
@@ -90,7 +98,7 @@ function refuseLooseGroups(geometry, triangles) {
   if (!(geometry.groups?.length > 0)) return;
   const grouped = drawnTriangles(geometry, geometry.groups);
   const longer = grouped.length > triangles.length ? grouped : triangles;
-  const id = longer.findIndex((_, i) => triangles[i] !== grouped[i]);
+  const id = longer.findIndex((_, i) => (triangles[i] ?? undrawn) !== (grouped[i] ?? undrawn));
   if (id >= 0)
     refuse(`geometry.groups: leave out triangle ${id}, which some materials draw and others do not: fromObject3D(mesh) takes what is drawn, clearGroups() all`);
 }
@@ -133,10 +141,17 @@ function deformed(mesh, vertices) {
   return vertices;
 }
 
+/** Loaders give a Group that holds meshes. */
+function refuseGroup({ type = "Group" }) {
+  refuse(`object: is no Mesh, but ${article(type)} ${type} that holds others, as loaders give it: make one body for each mesh: object.traverse((part) => { if (part.isMesh) parts.push(chasles.fromObject3D(part)); })`);
+}
+
 function refuseOtherThanMesh(object) {
   if (object?.isBufferGeometry) refuse("object: is no Mesh, but a geometry: fromBufferGeometry(geometry) takes it");
-  if (!object?.matrixWorld || !object.isMesh)
-    refuse(`object: is no Mesh${object?.children?.length > 0 ? ", but holds others: object.traverse() reaches each, for a body of its own" : ""}`);
+  if (!object?.matrixWorld || !object.isMesh) {
+    if (object?.children?.length > 0) refuseGroup(object);
+    refuse("object: is no Mesh");
+  }
   if (object.isInstancedMesh || object.isBatchedMesh)
     refuse(`object: is ${object.isInstancedMesh ? "an InstancedMesh" : "a BatchedMesh"}, which is many bodies: make one body of the geometry, and give each a pose`);
   refuseLines(object.geometry);

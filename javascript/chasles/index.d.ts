@@ -542,7 +542,10 @@ export declare class DraggedBody {
   readonly pose: PoseNumbers;
   readonly margin: number;
   readonly reach: number;
-  /** Goes towards the goal. No round begins after so many seconds, and each goes less far where its search gets long; 0: no bound. */
+  /**
+   * Goes towards the goal. No round begins after so many seconds, and each goes less far where its search gets long; 0: no bound. Throws
+   * `InvalidInput` for a goal farther from the origin than some 2^28 margins, as a ray that grazes its plane gives.
+   */
   update(goal: Pose, seconds?: number): DragStep;
   /** What the contacts would push the hand with at another goal, from where the last update ended. No geometry is computed. */
   force(goal: Pose): Wrench;
@@ -661,7 +664,10 @@ export declare class Chasles {
 
 /** Wrong input: the message says what is wrong, where and why. */
 export declare class InvalidInput extends Error {}
-/** The instance stopped within a call, and answers no more; load() makes a new one. */
+/**
+ * The instance stopped within a call, and answers no more; load() makes a new one. Memory that is full stops nothing: the call throws
+ * `RangeError` ("chasles: out of memory"), the objects stay as they were, and `free()` makes room. An instance has at most 4 GiB.
+ */
 export declare class InstanceStopped extends Error {}
 
 export type WasmSource = string | URL | Response | ArrayBuffer | Uint8Array | WebAssembly.Module;

@@ -2,7 +2,7 @@
 // list of numbers, and return it.
 import { InvalidInput } from "./errors.js";
 import { addPose, addPoses } from "./poses.js";
-import { addCounted, checkOptions, isList, number, shown, text } from "./values.js";
+import { addCounted, addNumbers, addPoint, checkOptions, isList, number, shown, text } from "./values.js";
 
 const kinds = ["screw", "sweep", "velocity", "twist"];
 const finds = ["first", "any", "first_with_all_contacts"];
@@ -38,7 +38,7 @@ const listed = (names, last) => `${names.slice(0, -1).map((n) => `'${n}'`).join(
 export function addRule(numbers, { motion, centre, maxTurn }) {
   numbers.push(oneOf(kinds, motion ?? "screw", "motion"));
   addOptional(numbers, maxTurn, addNumber, "maxTurn");
-  return addOptional(numbers, centre, addCounted, "centre");
+  return addOptional(numbers, centre, addPoint, "centre");
 }
 
 /** A question that lists everything refuses "any" in the words of the library. */
@@ -78,7 +78,7 @@ export function addMotion(numbers, start, goal, options) {
   if (!isFixedMoving) return numbers;
   addPose(numbers, options.fixedStart, "fixedStart");
   addPose(numbers, options.fixedGoal, "fixedGoal");
-  return addOptional(numbers, options.fixedCentre, addCounted, "fixedCentre");
+  return addOptional(numbers, options.fixedCentre, addPoint, "fixedCentre");
 }
 
 const still = [0, 0, 0];
@@ -138,10 +138,9 @@ function addPlaces(numbers, { pose, goal, poses, motion }) {
 /** As many times as there are poses. */
 function addTimes(numbers, options) {
   if (options.times === undefined) throw new InvalidInput('times: are missing: one for each pose, ascending from 0 to 1; only the motion "b_spline" has none');
-  const [count, ...times] = addCounted([], options.times, "times");
-  if (count !== options.poses.length)
-    throw new InvalidInput(`times: there are ${count} for ${options.poses.length} poses`);
-  for (const time of times) numbers.push(time);
+  addNumbers(numbers, options.times, "times");
+  if (options.times.length !== options.poses.length)
+    throw new InvalidInput(`times: there are ${options.times.length} for ${options.poses.length} poses`);
   return numbers;
 }
 
@@ -158,7 +157,7 @@ function addLock(numbers, given) {
   numbers.push(kind);
   for (const part of ["direction", "point"]) {
     if (given[part] !== undefined && !lockParts[given.kind].includes(part)) throw new InvalidInput(`lock.${part}: says nothing about a lock of the kind ${given.kind}`);
-    addOptional(numbers, given[part], addCounted, `lock.${part}`);
+    addOptional(numbers, given[part], addPoint, `lock.${part}`);
   }
   return numbers;
 }
@@ -166,10 +165,16 @@ function addLock(numbers, given) {
 /** A centre, and the moments of inertia per mass: 9 numbers, or 3 rows. */
 function addMass(numbers, given) {
   checkOptions(given, ["centre", "inertia"], "mass");
-  const flat = (rows) => Array.from(rows, (row) => (isList(row) ? Array.from(row) : row)).flat();
-  const [count, ...inertia] = addCounted([], Array.isArray(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
-  if (count !== 9) throw new InvalidInput(`mass.inertia: a matrix needs 9 numbers, and there are ${count}`);
-  addOptional(numbers, given.centre, addCounted, "mass.centre");
+  const refuseOther = (count) => {
+    if (count !== 9) throw new InvalidInput(`mass.inertia: a matrix needs 9 numbers, and there are ${count}`);
+  };
+  const rows = Array.isArray(given.inertia) ? given.inertia : [given.inertia];
+  const count = rows.reduce((sum, row) => sum + (isList(row) ? row.length : 1), 0);
+  if (count > 9) refuseOther(count); // before any copy
+  const flat = Array.from(rows, (row) => (isList(row) ? Array.from({ length: row.length }, (_, k) => row[k]) : row)).flat();
+  const inertia = addNumbers([], isList(given.inertia) ? flat : given.inertia, "mass.inertia");
+  refuseOther(inertia.length);
+  addOptional(numbers, given.centre, addPoint, "mass.centre");
   numbers.push(...inertia);
   return numbers;
 }

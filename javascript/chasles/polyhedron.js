@@ -2,7 +2,7 @@
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { given, Held } from "./held.js";
-import { asBytes, checkOptions, isArrayBuffer, isList, number, shown, text, wayOut } from "./values.js";
+import { asBytes, checkOptions, converted, isArrayBuffer, isList, number, shown, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
 const solids = ["automatic", "yes", "no"];
@@ -23,10 +23,10 @@ export class Polyhedron extends Held {
     return kept(this, "vertices", (numbers) => numbers);
   }
   get triangles() {
-    return kept(this, "triangles", (numbers) => Uint32Array.from(numbers));
+    return kept(this, "triangles", (numbers) => new Uint32Array(numbers));
   }
   get sourceFaces() {
-    return kept(this, "sourceFaces", (numbers) => Uint32Array.from(numbers));
+    return kept(this, "sourceFaces", (numbers) => new Uint32Array(numbers));
   }
   get faces() {
     return kept(this, "faces", (numbers) => {
@@ -39,8 +39,8 @@ export class Polyhedron extends Held {
   static copy(body) {
     const given = part(body, "given");
     const [triangulate, solid, radius, count] = given;
-    const sizes = Uint32Array.from(given.subarray(4, 4 + count));
-    const corners = Uint32Array.from(given.subarray(4 + count));
+    const sizes = new Uint32Array(given.subarray(4, 4 + count));
+    const corners = new Uint32Array(given.subarray(4 + count));
     return { vertices: part(body, "vertices"), sizes, corners, options: [triangulate, solid, radius] };
   }
   static ofCopy(border, { vertices, sizes, corners, options }) {
@@ -76,12 +76,12 @@ function refuseDetached(array, name) {
   if (ArrayBuffer.isView(array)) asBytes(array, name);
 }
 
-/** Points as one array of numbers: a typed array, or an array of numbers or of points. */
+/** Points as one array of numbers: a typed array, which is used in place, or an array of numbers or of points. */
 function flatPoints(vertices, name = "vertices") {
   if (!isList(vertices)) throw new InvalidInput(`${name}: must be an array of numbers or of points`);
   refuseDetached(vertices, name);
-  if (ArrayBuffer.isView(vertices)) return Float64Array.from(vertices, Number);
-  if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `${name}[${i}]`));
+  if (ArrayBuffer.isView(vertices)) return typeof vertices[0] === "bigint" ? converted(Float64Array, vertices, Number) : vertices;
+  if (typeof vertices[0] === "number") return converted(Float64Array, vertices, (x, i) => number(x, `${name}[${i}]`));
   const numbers = new Float64Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) {
     const point = vertices[i]; // by index: forEach leaves out the holes of an array
@@ -106,20 +106,20 @@ function flatFaces(faces) {
   if (!ArrayBuffer.isView(faces) && isList(faces[0])) return polygonFaces(faces);
   if (faces.length % 3 !== 0)
     throw new InvalidInput(`faces: ${faces.length} indices are no triangles of 3 corners each`);
-  const corners = Uint32Array.from(faces, (value, i) => index(value, i));
+  const corners = faces instanceof Uint32Array ? faces : converted(Uint32Array, faces, (value, i) => index(value, i));
   return { sizes: new Uint32Array(faces.length / 3).fill(3), corners };
 }
 
 function polygonFaces(faces) {
-  const sizes = new Uint32Array(faces.length);
-  const corners = [];
-  for (let i = 0; i < faces.length; ++i) {
-    const face = faces[i];
+  const sizes = converted(Uint32Array, faces, (face, i) => {
     if (!isList(face)) throw new InvalidInput(`faces[${i}]: ${shown(face)} is no list of indices`);
-    sizes[i] = face.length;
-    for (let k = 0; k < face.length; ++k) corners.push(index(face[k], i, k));
-  }
-  return { sizes, corners: Uint32Array.from(corners) };
+    return face.length;
+  });
+  const corners = new Uint32Array(sizes.reduce((sum, size) => sum + size, 0));
+  let at = 0;
+  for (let i = 0; i < faces.length; ++i)
+    for (let k = 0; k < sizes[i]; ++k) corners[at++] = index(faces[i][k], i, k);
+  return { sizes, corners };
 }
 
 export function fromArrays(border, vertices, faces, options) {
@@ -136,7 +136,8 @@ export function pointsBody(border, points, radius) {
   const vertices = flatPoints(points, "points");
   if (vertices.length === 0) throw new InvalidInput("points: there are none; a body needs at least one");
   if (vertices.length % 3 !== 0) throw new InvalidInput(`points: ${vertices.length} numbers are no points of 3 numbers each`);
-  const corners = Uint32Array.from({ length: vertices.length }, (_, i) => Math.floor(i / 3));
+  const corners = new Uint32Array(vertices.length);
+  for (let i = 0; i < corners.length; ++i) corners[i] = Math.floor(i / 3);
   return fromArrays(border, vertices, corners, { radius: positive(radius, "radius") });
 }
 

@@ -80,6 +80,8 @@ function refuseOther(value, name) {
   if (typeof value?.w === "number" && typeof value.x === "number") throw new InvalidInput(`${name}: a quaternion or a vector of 4 numbers is no pose: ${aPose}`);
   if (isList(value) && value.length === 4) throw new InvalidInput(`${name}: 4 numbers found, as of a quaternion alone: ${aPose}`);
   if (!isList(value)) throw new InvalidInput(`${name}: ${shown(value)} is no array of numbers${wayOut(value) || `: ${aPose}`}`);
+  if (value.length > 16)
+    throw new InvalidInput(`${name}: ${value.length} numbers found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) or 16 (4x4, row by row)`);
 }
 
 /** The numbers of a pose, as they go into the module: 3, 7, or 16 row by row. */

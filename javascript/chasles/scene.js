@@ -5,13 +5,17 @@ import { given, Held } from "./held.js";
 import { addDrag, addLeast, addProfile, addQuery, addWorldMotion, addWorldRule, dragOptions, leastOptions, profileOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 import { addPose, addPoses } from "./poses.js";
-import { checkOptions, number, text } from "./values.js";
+import { checkOptions, Numbers, number, shown, text } from "./values.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
 const questions = { firstContact: 0, allContacts: 1, clearUntil: 2, leastDistance: 3, profile: 4, leastDistances: 5 };
 const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3, setHold: 4, setGroupHold: 5 };
 
-const encode = (value, name) => new TextEncoder().encode(text(value, name));
+/** A name in UTF-8, in which all halves of characters would be one. */
+function encode(value, name) {
+  if (/\p{Surrogate}/u.test(text(value, name))) throw new InvalidInput(`${name}: ${shown(value)} has half of a surrogate pair, which is no character`);
+  return new TextEncoder().encode(value);
+}
 
 /** Many bodies in one world, each with its own motion over the time [0, 1]. */
 export class Scene extends Held {
@@ -38,7 +42,7 @@ export class Scene extends Held {
     checkOptions(options, [...motionKeys, "group"]);
     const body = Held.handle(shape, border, Polyhedron, "shape");
     const nameBytes = encode(name, "name");
-    border.giveNumbers(addWorldMotion([], options, [0, 0, 0]));
+    border.giveNumbers(addWorldMotion(new Numbers(), options, [0, 0, 0]));
     border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
     border.call("scene_add", handle, body, nameBytes.length);
     this.#names.push(name);
@@ -59,7 +63,7 @@ export class Scene extends Held {
   move(name, options = {}) {
     const { border, handle } = ownOfScene(this);
     checkOptions(options, motionKeys);
-    border.giveNumbers(addWorldMotion([], options));
+    border.giveNumbers(addWorldMotion(new Numbers(), options));
     border.giveBytes(encode(name, "name"));
     border.call("scene_move", handle);
   }
@@ -68,7 +72,7 @@ export class Scene extends Held {
   moveAll(starts, goals, options = {}) {
     const { border, handle } = ownOfScene(this);
     checkOptions(options, ["motion"]);
-    const rule = addWorldRule([], options);
+    const rule = addWorldRule(new Numbers(), options);
     border.giveNumbers(addPoses(addPoses(rule, starts, "starts"), goals, "goals"));
     border.call("scene_move_all", handle);
   }
@@ -120,7 +124,7 @@ export class Scene extends Held {
   }
   profile(options = {}) {
     checkOptions(options, profileOptions);
-    return sceneProfile(answer(this, "profile", addProfile([], options)), this.#names);
+    return sceneProfile(answer(this, "profile", addProfile(new Numbers(), options)), this.#names);
   }
 }
 

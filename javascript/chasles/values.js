@@ -1,5 +1,5 @@
 // Arguments of any kind: checked, and refused in words.
-import { InvalidInput } from "./errors.js";
+import { InvalidInput, outOfMemory } from "./errors.js";
 
 const limits =
   'only update(goal, seconds) of a dragged body has a limit; a question ends with the worker that it runs in: README, "Limits and cancelling"';
@@ -67,13 +67,62 @@ export function shown(value) {
   return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value).replace(/\s+/g, " ");
 }
 
-/** A list of numbers, behind their count. */
-export function addCounted(numbers, list, name) {
+/** A typed array of the entries. `from` of a typed array makes an Array of them first, and a long Array ends the process. */
+export function converted(Type, list, convert) {
+  const entries = new Type(list.length);
+  for (let i = 0; i < list.length; ++i) entries[i] = convert(list[i], i);
+  return entries;
+}
+
+const mostNumbers = 2 ** 29; // 4 GiB
+
+/** A list of numbers of any length: engines end the process where an Array grows beyond 2^27 entries. */
+export class Numbers {
+  #room = new Float64Array(256);
+  #count = 0;
+
+  constructor(...numbers) {
+    this.push(...numbers);
+  }
+
+  push(...numbers) {
+    for (const entry of numbers) {
+      if (this.#count === this.#room.length) this.#grow();
+      this.#room[this.#count++] = entry;
+    }
+  }
+
+  /** In place: to be used before the next push. */
+  get all() {
+    return this.#room.subarray(0, this.#count);
+  }
+
+  #grow() {
+    if (this.#count === mostNumbers) throw outOfMemory();
+    const larger = new Float64Array(2 * this.#room.length);
+    larger.set(this.#room);
+    this.#room = larger;
+  }
+}
+
+/** A list of numbers. */
+export function addNumbers(numbers, list, name) {
   if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers${wayOut(list)}`);
-  numbers.push(list.length);
   for (let i = 0; i < list.length; ++i) {
     if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws
     numbers.push(list[i]);
   }
   return numbers;
+}
+
+/** The same behind their count. */
+export function addCounted(numbers, list, name) {
+  numbers.push(list?.length);
+  return addNumbers(numbers, list, name);
+}
+
+/** A point or a direction, behind the count of its numbers. */
+export function addPoint(numbers, list, name) {
+  if (isList(list) && list.length !== 3) throw new InvalidInput(`${name}: a point needs 3 numbers, and there are ${list.length}`);
+  return addCounted(numbers, list, name);
 }

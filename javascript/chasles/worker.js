@@ -37,7 +37,7 @@ async function answer(message, post) {
   try {
     post({ job, answer: await tasks[message.task](message) });
   } catch (error) {
-    post({ job, error: { message: error.message, isInput: error instanceof InvalidInput } });
+    post({ job, error: { message: error.message, kind: error.name } });
   }
 }
 

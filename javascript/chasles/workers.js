@@ -113,6 +113,8 @@ async function cores() {
   return Math.min(availableParallelism(), most);
 }
 
+const errorTypes = { InvalidInput, RangeError };
+
 /** A worker with the jobs that it has not answered yet. */
 class Mate {
   #worker;
@@ -193,7 +195,7 @@ class Mate {
     if (!waiting) return;
     this.#forget(job);
     if (!error) waiting.resolve(answer);
-    else waiting.reject(error.isInput ? new InvalidInput(error.message) : new Error(error.message));
+    else waiting.reject(new (errorTypes[error.kind] ?? Error)(error.message));
   }
 }
 

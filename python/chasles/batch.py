@@ -14,6 +14,7 @@ from . import _core
 from ._core import InvalidInput, Polyhedron
 from .articles import with_article
 from .enums import Find
+from .extras import extra
 from .table import NOT_DONE, empty_table, least_dtype, motion_dtype, path_dtype
 
 Table = npt.NDArray[np.void]
@@ -217,7 +218,8 @@ def _run(
 def _bar(progress: bool, rows: int, unit: str) -> AbstractContextManager[Any]:
     if not progress:
         return nullcontext()
-    from tqdm.auto import tqdm
+    with extra("progress", "progress"):
+        from tqdm.auto import tqdm
 
     return tqdm(total=rows, unit=f" {unit}")
 
@@ -237,6 +239,7 @@ def _thread_count(threads: int) -> int:
 
 
 def _array(argument: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
+    _core._refuse_masked(argument, name)  # asarray drops the mask
     try:
         return np.asarray(argument)
     except (TypeError, ValueError) as error:
@@ -276,6 +279,7 @@ def _each(paths: Any) -> Iterator[Any]:
 
 def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
     """The poses of all paths in one array, and the index of each path's first pose, followed by the total number."""
+    _core._refuse_masked(paths, "paths")
     if isinstance(paths, np.ndarray) and paths.dtype != object and paths.ndim > 0:
         return _joined_alike(paths)
     arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]

@@ -14,14 +14,16 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
-import pyarrow.compute as pc
-import pyarrow.parquet as pq
-
 from ._core import Polyhedron, Robot, Scene
 from .batch import MotionKind, _thread_count
 from .enums import Find
+from .extras import extra
 from .partitions import UNFINISHED, Partition, answer_partition, files_of, is_done, manifest_of, partitions_of, prepare
 from .questions import EdgeQuestion, MotionQuestion, Question
+
+with extra("distributed", "chasles.distributed"):
+    import pyarrow.compute as pc
+    import pyarrow.parquet as pq
 
 
 @dataclass(frozen=True)
@@ -215,6 +217,7 @@ def _on_cluster(client: Any, partitions: list[Partition], arguments: tuple[Any, 
 def _bar(progress: bool, rows: int, unit: str) -> AbstractContextManager[Any]:
     if not progress:
         return nullcontext()
-    from tqdm.auto import tqdm
+    with extra("progress", "progress"):
+        from tqdm.auto import tqdm
 
     return tqdm(total=rows, unit=f" {unit}")

@@ -28,11 +28,15 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from ompl import base as _base
 
+from . import _core
 from ._core import Cancelled, InvalidInput, Polyhedron, Robot, RobotChecker, _free_body, _why_cancelled
 from .articles import with_article
 from .enums import Verdict
+from .extras import extra
+
+with extra("ompl", __name__):
+    from ompl import base as _base
 
 __all__ = ["LastValid", "RobotMotionValidator", "RobotValidityChecker", "StateMap", "free_body"]
 
@@ -185,6 +189,8 @@ _MISFITS = {
 
 
 def _values(robot: Robot, others: npt.ArrayLike | None) -> npt.NDArray[np.float64]:
+    if others is not None:
+        _core._refuse_masked(others, "others")  # np.array drops the mask
     try:
         values = np.array(robot.neutral() if others is None else others, np.float64)
     except (TypeError, ValueError) as error:

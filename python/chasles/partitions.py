@@ -18,11 +18,14 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import pyarrow as pa
-import pyarrow.parquet as pq
 
 from ._core import InvalidInput, __version__
+from .extras import extra
 from .questions import GOAL_COLUMNS, START_COLUMNS, Question
+
+with extra("distributed", "chasles.distributed"):
+    import pyarrow as pa
+    import pyarrow.parquet as pq
 
 __all__ = ["GOAL_COLUMNS", "START_COLUMNS", "Partition"]
 

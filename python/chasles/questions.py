@@ -12,12 +12,15 @@ from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
-import pyarrow as pa
 
 from ._core import InvalidInput, Polyhedron, Robot, RobotChecker, Scene, Trajectory
 from .articles import with_article
 from .batch import first_contact_batch
+from .extras import extra
 from .robots import first_contacts_on_edges
+
+with extra("distributed", "chasles.distributed"):
+    import pyarrow as pa
 
 _POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 START_COLUMNS = [name + "0" for name in _POSE]

@@ -28,10 +28,10 @@ def write_scene_page(
     Parameters
     ----------
     scene : Scene
-        As it was when it was asked: the page shows the motions that the scene has now.
+        As it was when it was asked, or a `copy.copy` of it. A pickled scene is another one.
     found : SceneContact, list of SceneContact, or DistanceMatrix
-        The answer of `scene.first_contact`, of `scene.all_contacts`, or of `scene.least_distances`, which the page shows as a
-        table.
+        The answer of `scene.first_contact`, the whole list of `scene.all_contacts`, or the answer of `scene.least_distances`,
+        which the page shows as a table.
     out : path
         The file to write.
     title : str
@@ -42,7 +42,8 @@ def write_scene_page(
     Raises
     ------
     InvalidInput
-        If a body of the answer is not in the scene, or if the package was built without the viewer.
+        For the answer of another scene, of this one before it was changed, and for a part of the list of `all_contacts`:
+        a page of it would say what is not proven. Also if the package was built without the viewer.
     """
     return _written(_core.scene_page(scene, found, title, curve), out)
 

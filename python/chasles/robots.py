@@ -80,6 +80,7 @@ def _rows(checker: RobotChecker, starts: npt.ArrayLike, goals: npt.ArrayLike) ->
     """Both arrays, of the same shape (n, variables)."""
     arrays = []
     for name, rows in (("starts", starts), ("goals", goals)):
+        _core._refuse_masked(rows, name)  # asarray drops the mask
         try:
             arrays.append(np.asarray(rows, np.float64))
         except (TypeError, ValueError) as error:

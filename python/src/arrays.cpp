@@ -97,9 +97,58 @@ std::string text_of(const nb::object& object) {
     return nb::cast<std::string>(nb::str(nb::handle(object)));
 }
 
+/// "[2, 0]": where the first entry is true.
+std::string place_of_first(const nb::object& flags) {
+    return text_of(nb::module_::import_("numpy").attr("argwhere")(flags)[0].attr("tolist")());
+}
+
+constexpr int deepest_list = 4; // paths of poses of rows of numbers
+
+/// Refuses a masked array, and one in lists of lists, with an entry that is masked.
+void refuse_masked(nb::handle argument, const nb::object& masked_module, const std::string& name, int depth = 0) {
+    if (PyList_Check(argument.ptr()) || PyTuple_Check(argument.ptr())) {
+        if (depth < deepest_list)
+            for (const nb::handle entry : nb::borrow<nb::sequence>(argument))
+                refuse_masked(entry, masked_module, name, depth + 1);
+        return;
+    }
+    const bool has_plain_type = !PyType_HasFeature(Py_TYPE(argument.ptr()), Py_TPFLAGS_HEAPTYPE);
+    if (has_plain_type || !nb::isinstance(argument, masked_module.attr("MaskedArray")) ||
+        !nb::cast<bool>(nb::bool_(masked_module.attr("is_masked")(argument))))
+        return;
+    const nb::object mask = masked_module.attr("getmaskarray")(argument);
+    const bool is_one_number = nb::cast<std::size_t>(mask.attr("ndim")) == 0;
+    throw InvalidInput(name + ": " + (is_one_number ? "a number" : "the entry " + place_of_first(mask)) +
+                       " is masked, which leaves no number; give one by array.filled(...), or leave the entry out");
+}
+
+/// Whether the argument may be a masked array or hold one. All types of NumPy but these are types of C.
+bool may_be_masked(nb::handle argument) {
+    return PyType_HasFeature(Py_TYPE(argument.ptr()), Py_TPFLAGS_HEAPTYPE) || PyList_Check(argument.ptr()) ||
+           PyTuple_Check(argument.ptr());
+}
+
+/// The first entry of an array of objects that is no number, and its index.
+std::pair<nb::object, std::size_t> first_misfit(const nb::object& array) {
+    std::size_t index = 0;
+    for (const nb::handle entry : array.attr("flat")) {
+        if (!PyFloat_Check(entry.ptr()) && !PyLong_Check(entry.ptr()))
+            return {nb::borrow(entry), index};
+        ++index;
+    }
+    return {array.attr("item")(0), 0};
+}
+
 /// What an array of objects holds, and how numbers are made of it.
 std::string about_objects(const nb::object& array) {
-    const nb::object first = array.attr("item")(0);
+    const auto [first, index] = first_misfit(array);
+    if (first.is_none()) {
+        const nb::object place = nb::module_::import_("numpy").attr("unravel_index")(index, array.attr("shape"));
+        std::string text;
+        for (const nb::handle part : place)
+            text += (text.empty() ? "" : ", ") + text_of(nb::borrow(part));
+        return ": the entry [" + text + "] is None";
+    }
     const std::string type = text_of(first.type().attr("__name__"));
     if (nb::isinstance<nb::list>(first) || nb::isinstance<nb::tuple>(first))
         return " (of lists of different lengths)";
@@ -160,8 +209,17 @@ std::string text_of(const Eigen::Vector3d& vector) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
 }
 
+void refuse_masked(nb::handle argument, const std::string& name) {
+    if (!may_be_masked(argument))
+        return;
+    const nb::object masked_module = nb::module_::import_("sys").attr("modules").attr("get")("numpy.ma");
+    if (!masked_module.is_none()) // otherwise there is no such array
+        refuse_masked(argument, masked_module, name);
+}
+
 template <typename Number>
 ArrayArgument<Number>::ArrayArgument(nb::handle argument, const std::string& name) {
+    refuse_masked(argument, name);
     if (get(argument, view_)) {
         if (use_view())
             return;

@@ -44,6 +44,11 @@ private:
     std::span<const Number> numbers_;
 };
 
+/// Throws InvalidInput "NAME: REASON" for a masked array of NumPy, or a list of them, with an entry that is masked.
+/// What is under a mask is no number of the user's, and neither the buffer of the array nor `numpy.asarray` tells of
+/// it.
+void refuse_masked(nb::handle argument, const std::string& name);
+
 using DoubleArray = ArrayArgument<double>;
 using IndexArray = ArrayArgument<std::int64_t>;
 

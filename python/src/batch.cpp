@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
 #include <vector>
 
 namespace chasles::python {
@@ -67,6 +68,7 @@ void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array
 } // namespace
 
 void bind_batches(nb::module_& module) {
+    module.def("_refuse_masked", refuse_masked, "argument"_a.none(), "name"_a);
     module.def(
         "_first_contact_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle motions,

@@ -51,6 +51,7 @@ PythonMatrix distances_of_all(const PythonScene& given, double tolerance, nb::ha
     if (matrix.found.untested.total() > 0)
         matrix.found.untested = given.scene.untested(); // with names
     matrix.names = names_of(given);
+    matrix.scene = given.use.state();
     matrix.answers = answers_of(given, matrix.found);
     return matrix;
 }

@@ -33,6 +33,7 @@ bool has_one_length(const nb::sequence& lists) {
 } // namespace
 
 FaceLists::FaceLists(nb::handle argument) {
+    refuse_masked(argument, "faces");
     nb::sequence lists;
     const bool is_list = PyList_Check(argument.ptr()) || PyTuple_Check(argument.ptr());
     if (is_list && nb::try_cast(argument, lists) && !has_one_length(lists))

@@ -1,6 +1,7 @@
 // chasles.JointPath.
 #include "chasles/base/invalid_input.h"
 #include "python/src/docstrings.h"
+#include "python/src/no_constructor.h"
 #include "python/src/robot.h"
 
 #include <cmath>
@@ -178,10 +179,13 @@ nb::object at(const JointPath& path, double time) {
 #define CHASLES_TIMES "times: numpy.typing.ArrayLike"
 
 void bind_joint_path(nb::module_& module) {
-    nb::class_<JointPath>(module, "JointPath",
-                          "A path of a robot in joint space: segments of time, in each of which every variable is a "
-                          "polynomial.\nTimes ascend, in any unit.")
-        .def_static("straight", straight, "robot"_a, "configurations"_a.none(), "times"_a = nb::none(),
+    nb::class_<JointPath> type(
+        module, "JointPath",
+        "A path of a robot in joint space: segments of time, in each of which every variable is a polynomial.\nTimes "
+        "ascend, in any unit.");
+    refuse_constructor(type, "JointPath.straight(robot, configurations) makes one, as cubic, quintic, natural_spline, "
+                             "polynomials and together do");
+    type.def_static("straight", straight, "robot"_a, "configurations"_a.none(), "times"_a = nb::none(),
                     nb::sig("def straight(robot: Robot, configurations: numpy.typing.ArrayLike, "
                             "times: numpy.typing.ArrayLike | None = None) -> JointPath"),
                     "Straight from each configuration (n, variables) to the next; continuous joints go the shorter "

@@ -6,6 +6,7 @@
 #include "chasles/motion/sweep_trajectory.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
+#include "python/src/no_constructor.h"
 #include "python/src/recipe.h"
 
 #include <fmt/format.h>
@@ -187,6 +188,7 @@ std::string repr_of_sweep(const SweepMotion& motion) {
 
 void bind_screw(nb::module_& module) {
     nb::class_<PythonScrew> type(module, "ScrewMotion", doc("ScrewMotion"));
+    refuse_constructor(type, "ScrewMotion.between(start, goal) makes one, and ScrewMotion.relative that of two bodies");
     type.def_static(
             "between",
             [](nb::handle start, nb::handle goal, double max_turn) {
@@ -230,6 +232,7 @@ void bind_screw(nb::module_& module) {
 
 void bind_sweep(nb::module_& module) {
     nb::class_<SweepMotion> type(module, "SweepMotion", doc("SweepMotion"));
+    refuse_constructor(type, "SweepMotion.between(start, goal) makes one, and SweepMotion.relative that of two bodies");
     type.def_static(
             "between",
             [](nb::handle start, nb::handle goal, nb::handle centre) {

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <set>
 
 namespace chasles::python {
 namespace {
@@ -19,6 +20,31 @@ namespace {
 using namespace nb::literals;
 
 // --- An answered scene ---
+
+/// Whether the scene is what it was at the question: a page draws its motions, and repeats what is proven about them.
+void require_unchanged(const PythonScene& scene, std::uint64_t state_of_answer) {
+    if (state_of_answer != scene.use.state())
+        throw InvalidInput(
+            "found: is the answer of another scene, or of this one before it was changed; ask this scene "
+            "again, and show that answer");
+}
+
+/// The question that all entries of a list answer. Throws InvalidInput for a part of an answer: a page of it would say
+/// that nothing else touches.
+std::shared_ptr<const SceneQuestion> question_of(std::span<const SceneContactAnswer> list) {
+    std::set<Names> pairs;
+    const std::shared_ptr<const SceneQuestion> question = list.front().question;
+    for (const SceneContactAnswer& answer : list) {
+        if (!answer.question || answer.is_first || answer.question != question)
+            throw InvalidInput("found: must be an answer of first_contact, or the list that all_contacts has given");
+        pairs.insert(*answer.pair);
+    }
+    if (pairs.size() != question->contacts || list.size() != question->contacts)
+        throw InvalidInput(
+            fmt::format("found: has {} of the {} contacts that all_contacts has found; give its whole list",
+                        pairs.size(), question->contacts));
+    return question;
+}
 
 SceneContact contact_in(const Scene& scene, const Names& pair, const FirstContact& found) {
     return {scene.index_of(pair.first), scene.index_of(pair.second), found};
@@ -38,20 +64,24 @@ const SceneContactAnswer& scene_contact(nb::handle argument) {
     return *contact;
 }
 
-/// The matrix of a scene whose bodies may have other places in it now.
-DistanceMatrix matrix_in(const Scene& scene, const PythonMatrix& given) {
-    DistanceMatrix matrix = given.found;
-    for (PairDistance& pair : matrix.pairs)
-        for (std::size_t* const body : {&pair.moving, &pair.fixed})
-            *body = scene.index_of(given.names[*body]);
-    return matrix;
+bool is_list(nb::handle found) {
+    return nb::isinstance<nb::list>(found) || nb::isinstance<nb::tuple>(found);
+}
+
+std::vector<SceneContactAnswer> answers_from(nb::handle found) {
+    if (!is_list(found))
+        return {scene_contact(found)};
+    std::vector<SceneContactAnswer> answers;
+    for (const nb::handle entry : found)
+        answers.push_back(scene_contact(entry));
+    return answers;
 }
 
 std::string matrix_page(const PythonScene& scene, const PythonMatrix& given, const std::string& title, bool curve) {
-    const DistanceMatrix matrix = matrix_in(scene.scene, given);
+    require_unchanged(scene, given.scene);
     const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
-    view::SceneRecord record = view::scene_record(scene.scene, matrix);
+    view::SceneRecord record = view::scene_record(scene.scene, given.found);
     if (curve)
         record.curve = view::curve_of(scene.scene, 0);
     record.title = title;
@@ -60,44 +90,35 @@ std::string matrix_page(const PythonScene& scene, const PythonMatrix& given, con
 
 /// `found` is what first_contact, all_contacts or least_distances of the scene has returned.
 std::string scene_page(const PythonScene& scene, nb::handle found, const std::string& title, bool curve) {
-    const Asking question = scene.asking();
+    const Asking asking = scene.asking();
     if (nb::isinstance<PythonMatrix>(found))
         return matrix_page(scene, nb::cast<const PythonMatrix&>(found), title, curve);
+    const std::vector<SceneContactAnswer> given = answers_from(found);
+    const bool is_first = given.size() == 1 && given.front().is_first && !is_list(found);
+    const std::shared_ptr<const SceneQuestion> question = given.empty() ? scene.without_contacts
+                                                          : is_first    ? given.front().question
+                                                                        : question_of(given);
+    if (!question)
+        throw InvalidInput("found: is an empty list, but all_contacts of this scene has given none");
+    require_unchanged(scene, question->scene);
     SceneAnswer answer;
-    view::SceneRecord record;
-    std::optional<double> clear_until;
-    double margin = 0;
-    const auto add = [&](nb::handle entry) {
-        const SceneContactAnswer& contact = scene_contact(entry);
+    answer.verdict = is_first ? given.front().found.verdict : Verdict::clear; // of all pairs that are not listed
+    answer.untested = is_first ? given.front().untested : scene.scene.untested({.until = question->until});
+    for (const SceneContactAnswer& contact : given)
         add_to(answer, scene.scene, contact);
-        margin = contact.margin;
-        return contact;
-    };
-    answer.untested = scene.scene.untested();
-    auto source = view::RecordSource::all_contacts;
-    if (nb::isinstance<SceneContactAnswer>(found)) {
-        const SceneContactAnswer only = add(found);
-        answer.verdict = only.found.verdict;
-        if (only.is_first) {
-            source = view::RecordSource::first_contact;
-            clear_until = only.found.clear_until;
-            answer.untested = only.untested;
-        }
-    } else if (nb::isinstance<nb::list>(found) || nb::isinstance<nb::tuple>(found)) {
-        answer.verdict = Verdict::clear; // of all pairs that are not listed
-        for (const nb::handle entry : found)
-            add(entry);
-    } else {
-        scene_contact(found);
-    }
+    const double margin = given.empty() ? question->margin : given.back().margin;
     const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
-    record = view::scene_record(scene.scene, answer, source);
+    view::SceneRecord record = view::scene_record(
+        scene.scene, answer, is_first ? view::RecordSource::first_contact : view::RecordSource::all_contacts);
     if (curve)
         record.curve = view::curve_of(scene.scene, margin);
     record.title = title;
     record.margin = margin;
-    record.clear_until = clear_until;
+    record.until = question->until;
+    record.clear_until.reset();
+    if (is_first)
+        record.clear_until = given.front().found.clear_until;
     return view::scene_page(record);
 }
 

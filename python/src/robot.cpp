@@ -288,7 +288,7 @@ void bind_robot(nb::module_& module) {
                 const Asking question = r.asking();
                 return answer_on_edge(checker_of(r, {scene, margin, hold, tolerance, find}), start, goal);
             },
-            "start"_a.none(), "goal"_a.none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
+            "start"_a.none(), "goal"_a = nb::none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
             "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: "
                     "numpy.typing.ArrayLike, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
@@ -319,7 +319,8 @@ void bind_robot(nb::module_& module) {
                 return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start,
                                          goal, tolerance);
             },
-            "start"_a.none(), "goal"_a.none(), nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
+            "start"_a.none(), "goal"_a = nb::none(), nb::kw_only(), "scene"_a = nb::none(),
+            "tolerance"_a = default_tolerance,
             nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, *, "
                     "scene: Scene | None = None, tolerance: float = 1e-6) -> RobotClearance"),
             clearance_doc)

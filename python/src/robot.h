@@ -66,6 +66,8 @@ RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments);
 
 /// Numbers of shape (n,) or (n, variables). Throws InvalidInput "NAME: WHY".
 Configuration configuration_from(nb::handle argument, const std::string& name);
+/// The ends of a straight edge. A goal that is None is a TypeError.
+std::pair<Configuration, Configuration> edge_from(nb::handle start, nb::handle goal);
 Eigen::MatrixXd configurations_from(nb::handle argument, const std::string& name);
 std::vector<Configuration> rows_of(nb::handle argument, const std::string& name);
 

@@ -39,10 +39,21 @@ RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments) {
 }
 
 Configuration configuration_from(nb::handle argument, const std::string& name) {
+    if (nb::isinstance<JointPath>(argument))
+        throw InvalidInput(name +
+                           ": is a JointPath, not a configuration: first_contact_on_path, least_distance_on_path "
+                           "and profile take paths");
     const DoubleArray array(argument, name);
     if (array.shape().size() != 1)
         throw InvalidInput(name + ": must have the shape (variables,), and has " + array.shape_text());
     return Eigen::Map<const Configuration>(array.numbers().data(), Eigen::Index(array.numbers().size()));
+}
+
+std::pair<Configuration, Configuration> edge_from(nb::handle start, nb::handle goal) {
+    Configuration from = configuration_from(start, "start");
+    if (goal.is_none())
+        throw nb::type_error("goal: is missing; an edge goes from a start to a goal");
+    return {std::move(from), configuration_from(goal, "goal")};
 }
 
 Eigen::MatrixXd configurations_from(nb::handle argument, const std::string& name) {
@@ -158,7 +169,10 @@ void bind_contact(nb::module_& module) {
             nb::sig("def clear_configuration(self) -> " CHASLES_ARRAY), "At `clear_until`.")
         .def_prop_ro(
             "held", [](const Answer& a) { return tuple_of(a.found.contact.held); },
-            nb::sig("def held(self) -> tuple[Contact, ...]"), doc("FirstContact.held"))
+            nb::sig("def held(self) -> tuple[Contact, ...]"),
+            "With hold: what of the pair is within the margin where the segment begins, in the world. Empty if the "
+            "path is clear, "
+            "which\nnames no pair.")
         .def_prop_ro(
             "untested", [](const Answer& a) { return *a.found.untested; }, "What the answer does not look at.")
         .def_prop_ro(
@@ -171,7 +185,7 @@ void bind_contact(nb::module_& module) {
 } // namespace
 
 PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal) {
-    const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
+    const auto [from, to] = edge_from(start, goal);
     return {asked_here([&] { return checker.first_contact(from, to); })};
 }
 
@@ -235,7 +249,7 @@ void bind_robot_answers(nb::module_& module) {
         .def_prop_ro(
             "robot", [](const RobotChecker& checker) { return PythonRobot(checker.robot()); },
             "A copy of the robot, as it was when the checker was made.")
-        .def("first_contact", answer_on_edge, "start"_a.none(), "goal"_a.none(),
+        .def("first_contact", answer_on_edge, "start"_a.none(), "goal"_a = nb::none(),
              nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike) -> "
                      "RobotContact"),
              "Along the straight edge between two configurations.")
@@ -275,7 +289,8 @@ void bind_robot_answers(nb::module_& module) {
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, *, " CHASLES_HANDOVERS ") -> RobotContact"),
             on_path_doc.c_str())
-        .def("least_distance", clearance_on_edge, "start"_a.none(), "goal"_a.none(), "tolerance"_a = default_tolerance,
+        .def("least_distance", clearance_on_edge, "start"_a.none(), "goal"_a = nb::none(),
+             "tolerance"_a = default_tolerance,
              nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
                      "tolerance: float = 1e-6) -> RobotClearance"),
              "How near the robot comes to its world and to itself along the straight edge.")

@@ -29,7 +29,7 @@ std::string summary(const PythonClearance& clearance) {
 } // namespace
 
 PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal, double tolerance) {
-    const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
+    const auto [from, to] = edge_from(start, goal);
     JointPath path = JointPath::straight(checker.robot(), std::array{from, to});
     RobotClearance found = asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); });
     return {std::move(found), checker, std::move(path)};

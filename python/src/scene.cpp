@@ -167,6 +167,7 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         [&](const SceneQuery& query) { found = scene.scene.first_contact(query); });
     if (found.untested.total() > 0)
         found.untested = scene.scene.untested({.until = until}); // with names
+    const auto asked = std::make_shared<const SceneQuestion>(scene.use.state(), margin, until);
     if (found.contacts.empty()) {
         FirstContact clear;
         clear.verdict = found.verdict;
@@ -177,10 +178,12 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
                 std::nullopt,
                 true,
                 {},
-                std::move(found.untested)};
+                std::move(found.untested),
+                asked};
     }
     SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
     answer.is_first = true;
+    answer.question = asked;
     answer.found.clear_until = found.clear_until;
     answer.found.work = found.work;
     answer.untested = std::move(found.untested);
@@ -196,9 +199,15 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
     run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.all_contacts(query); });
     throw_if_unknown(found.verdict, found.clear_until);
+    const auto asked = std::make_shared<const SceneQuestion>(scene.use.state(), margin, until, found.contacts.size());
+    if (found.contacts.empty())
+        scene.without_contacts = asked;
     nb::list contacts;
-    for (const SceneContact& contact : found.contacts)
-        contacts.append(nb::cast(answer_of(scene, contact, margin)));
+    for (const SceneContact& contact : found.contacts) {
+        SceneContactAnswer answer = answer_of(scene, contact, margin);
+        answer.question = asked;
+        contacts.append(nb::cast(std::move(answer)));
+    }
     return contacts;
 }
 
@@ -206,6 +215,7 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
 std::vector<Names> ignore_touching_at_start(PythonScene& scene, double margin) {
     const Changing change = scene.changing();
     std::vector<Names> pairs;
+    scene.use.renew_state(); // an interruption may come after the change
     run_interruptibly([&](Progress&) { pairs = scene.scene.ignore_touching_at_start(margin); }, nb::none());
     for (const auto& [a, b] : pairs)
         scene.rules[{"ignore", a, b}] = 0;
@@ -293,6 +303,12 @@ void bind_contact(nb::module_& module) {
         .def_prop_ro(
             "untested", [](const SceneContactAnswer& a) { return a.untested; },
             "What the answer of first_contact does not look at; `Scene.untested` tells it for other questions.")
+        .def_prop_ro(
+            "held", [](const SceneContactAnswer& a) { return tuple_of(a.found.held); },
+            nb::sig("def held(self) -> tuple[Contact, ...]"),
+            "With hold: what of the pair is within the margin at time 0, in the world frame at time 0. A clear scene "
+            "has no "
+            "pair, and\nlists nothing here: ask first_contact of two bodies for what they hold.")
         .def("__repr__", [](const SceneContactAnswer& a) {
             const std::string pair = a.pair ? a.pair->first + " on " + a.pair->second : "";
             const bool is_clear = a.found.verdict == Verdict::clear;

@@ -6,7 +6,9 @@
 #include "python/src/bind.h"
 #include "python/src/use.h"
 
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -18,6 +20,14 @@ namespace chasles::python {
 /// A call of ignore, ignore_groups, set_margin or set_group_margin: the name of the function and its two names.
 using SceneRule = std::tuple<std::string, std::string, std::string>;
 
+/// A question that a scene has answered. A page shows the whole answer, with the scene as it was then.
+struct SceneQuestion {
+    std::uint64_t scene = 0; ///< the state that it was in (Use::state)
+    double margin = 0;
+    double until = 1;
+    std::size_t contacts = 0; ///< in the answer of all_contacts
+};
+
 /// A scene with the Python objects of its bodies, and with what is needed to make it again.
 struct PythonScene {
     Scene scene;
@@ -25,6 +35,8 @@ struct PythonScene {
     std::map<std::string, PlainMotion> motions; ///< of each body
     std::map<SceneRule, double> rules;          ///< with the margin, or 0
     mutable Use use = {};
+    /// The last question for all contacts that found none: an empty list does not tell whose answer it is.
+    mutable std::shared_ptr<const SceneQuestion> without_contacts = {};
 
     /// A question or a change of the scene begins. Throws InvalidInput.
     [[nodiscard]] Asking asking() const { return {use, "scene"}; }
@@ -51,7 +63,8 @@ struct SceneContactAnswer : Answer {
     std::optional<Names> pair;
     bool is_first = false; ///< of all pairs: the answer of first_contact
     std::vector<NamedContact> simultaneous = {};
-    UntestedPairs untested = {}; ///< of the answer of first_contact
+    UntestedPairs untested = {};                        ///< of the answer of first_contact
+    std::shared_ptr<const SceneQuestion> question = {}; ///< null: of a stepper, whose bodies may move otherwise
 };
 
 /// The least distances of all pairs of a scene, with the names of its bodies at that time.
@@ -59,6 +72,7 @@ struct PythonMatrix {
     std::vector<std::string> names;
     DistanceMatrix found;
     nb::object answers = nb::list(); ///< a LeastDistance for each pair
+    std::uint64_t scene = 0;         ///< the state that it was in
 };
 
 template <typename Visit>

@@ -4,6 +4,7 @@
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 #include "python/src/motions.h"
+#include "python/src/no_constructor.h"
 #include "python/src/recipe.h"
 
 #include <fmt/format.h>
@@ -79,6 +80,7 @@ void bind_poses(nb::class_<M>& type) {
 
 void bind_motion(nb::module_& module) {
     nb::class_<PlainMotion> type(module, "Motion", doc("Motion"), collected<PlainMotion>());
+    refuse_constructor(type, "Motion.at_rest(pose), Motion.hinge, Motion.slider and Motion.polynomial make one");
     type.def_static(
             "at_rest", [](nb::handle pose) { return made("rest", {listed(pose_from(pose, "pose"))}); }, "pose"_a.none(),
             nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
@@ -138,6 +140,7 @@ void require_parts(const nb::tuple& state, std::size_t parts) {
 
 void bind_even(nb::module_& module) {
     nb::class_<PythonVelocity> velocity(module, "ConstantVelocity", doc("ConstantVelocity"));
+    refuse_constructor(velocity, "ConstantVelocity.between(start, goal) makes one");
     velocity
         .def_static(
             "between",
@@ -172,6 +175,7 @@ void bind_even(nb::module_& module) {
     bind_poses(velocity);
 
     nb::class_<PythonTwist> twist(module, "ConstantTwist", doc("ConstantTwist"));
+    refuse_constructor(twist, "ConstantTwist.between(start, goal) makes one");
     twist
         .def_static(
             "between",
@@ -222,6 +226,7 @@ void set_track_state(PythonTrack& track, const nb::tuple& state) {
 
 void bind_tracks(nb::module_& module) {
     nb::class_<PythonTrack> track(module, "TimedPoses", doc("TimedPoses"));
+    refuse_constructor(track, "TimedPoses.through(stamps, poses) makes one");
     track
         .def_static("through", timed_poses, "stamps"_a.none(), "poses"_a.none(), "between"_a = "velocity",
                     "centre"_a = nb::none(),
@@ -248,7 +253,9 @@ void bind_tracks(nb::module_& module) {
     bind_poses(track);
 
     struct Spline {};
-    nb::class_<Spline>(module, "Spline", "Motions along splines.")
+    nb::class_<Spline> spline(module, "Spline", "Motions along splines.");
+    refuse_constructor(spline, "Spline.through(times, poses) and Spline.b_spline(poses) make motions");
+    spline
         .def_static(
             "through",
             [](nb::handle times, nb::handle poses) {

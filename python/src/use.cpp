@@ -14,7 +14,7 @@ void bind_use(nanobind::module_& module) {
         .def("begin_question", &Use::begin_question, "what"_a)
         .def("end_question", &Use::end_question)
         .def("begin_change", &Use::begin_change, "what"_a)
-        .def("end_change", &Use::end_change);
+        .def("end_change", [](Use& use) { use.end_change(false); });
 }
 
 } // namespace chasles::python

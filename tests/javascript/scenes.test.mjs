@@ -53,6 +53,23 @@ test("a wrong name is answered with the names that the call takes", () => {
   for (const ask of lists) assert.equal(refusal(() => ask("all")), "find: \"all\": must be 'first' or 'first_with_all_contacts'");
 });
 
+test("halves of a surrogate pair, which UTF-8 does not tell apart, are refused in every name", () => {
+  const scene = chasles.scene();
+  scene.add("\u{1f980}", cube, { group: "\ufffd" }); // whole characters are names
+  assert.deepEqual(scene.names, ["\u{1f980}"]);
+  for (const half of ["\ud800", "a\udc01b"]) {
+    const shown = JSON.stringify(half);
+    const calls = {
+      name: [() => scene.add(half, cube), () => scene.remove(half), () => scene.move(half, { pose: [0, 0, 0] }), () => scene.poseAt(half, 0), () => chasles.draggedBody(scene, half)],
+      group: [() => scene.add("b", cube, { group: half })],
+      a: [() => scene.ignore(half, "b"), () => scene.ignoreGroups(half, "b"), () => scene.setMargin(half, "b", 1)],
+      b: [() => scene.ignore("\u{1f980}", half)],
+    };
+    for (const [name, list] of Object.entries(calls))
+      for (const call of list) assert.equal(refusal(call), `${name}: ${shown} has half of a surrogate pair, which is no character`);
+  }
+});
+
 test("a body that stands still takes no options of a motion", () => {
   const scene = chasles.scene();
   const still = (name) => `${name}: is for a body that moves; without a goal or poses it stands still`;

@@ -268,6 +268,15 @@ def test_a_bar_shows_progress(cube, capsys):
     assert "10/10" in capsys.readouterr().err
 
 
+def test_pandas_takes_a_table_as_the_guide_says(cube):
+    pandas = pytest.importorskip("pandas")
+    table = chasles.first_contact_batch(cube, cube, *random_motions(20))
+    frame = pandas.DataFrame({name: list(table[name]) for name in table.dtype.names})
+    assert frame.shape == (20, len(table.dtype.names))
+    assert frame["time"].tolist()[:3] == table["time"].tolist()[:3]
+    assert frame["moving_feature"][4].tolist() == table["moving_feature"][4].tolist()
+
+
 def test_margin_of_a_batch(cube):
     table = chasles.first_contact_batch(cube, cube, [pose(4, 0, 0)], [pose(0, 0, 0)], margin=0.5)
     assert table["time"][0] == pytest.approx(2.5 / 4)

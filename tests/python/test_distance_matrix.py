@@ -166,5 +166,5 @@ def test_the_page_has_the_pairs_as_a_table(scene, tmp_path):
         assert (pair["distance"], pair["distance_upper"], pair["time"]) == (answer.distance, answer.distance_upper, answer.time)
     assert len(record["events"]) == 2
     scene.remove("post")
-    with pytest.raises(chasles.InvalidInput, match="post: is not in the scene"):
+    with pytest.raises(chasles.InvalidInput, match="found: is the answer of another scene, or of this one before it was changed"):
         scene.view(found, page)

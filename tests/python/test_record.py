@@ -1,8 +1,10 @@
 """Pages of many bodies: they hold the answer or the recording, and wrong input gets one clear error."""
 
 import base64
+import copy
 import json
 import os
+import pickle
 import re
 
 import numpy as np
@@ -93,11 +95,73 @@ def test_a_clear_scene_has_a_page(scene, page):
     assert data_of(page)["events"] == [] and data_of(page)["clear_until"] == 0.5
 
 
-def test_the_answer_has_to_be_one_of_the_scene(scene, page, cube):
-    found = scene.first_contact()
-    scene.remove("left")
-    with pytest.raises(chasles.InvalidInput, match="scene: left: is not in the scene"):
+CHANGES = {
+    "moved": lambda scene, cube: scene.move("left", pose(0, 0, -0.5), pose(0, 0, -7.5)),
+    "moved at once": lambda scene, cube: scene.move_all(*[[pose(0, 0, -9 * i) for i in range(3)]] * 2),
+    "added": lambda scene, cube: scene.add("other", cube, pose(9, 0, 0)),
+    "removed": lambda scene, cube: scene.remove("left"),
+    "ignored": lambda scene, cube: scene.ignore("left", "floor"),
+    "ignored as groups": lambda scene, cube: scene.ignore_groups("a", "b"),
+    "ignored by touch": lambda scene, cube: scene.ignore_touching_at_start(),
+    "margin": lambda scene, cube: scene.set_margin("left", "floor", 1),
+    "hold": lambda scene, cube: scene.set_group_hold("a", "b", 1),
+}
+ANOTHER = "found: is the answer of another scene, or of this one before it was changed; ask this scene again"
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_an_answer_is_shown_with_the_scene_as_it_was(scene, page, cube, change):
+    answers = [scene.first_contact(), scene.first_contact(until=0.1), scene.all_contacts(), scene.least_distances()]
+    empty = scene.all_contacts(until=0.1)
+    for found in [*answers, empty]:
         scene.view(found, page)
+    CHANGES[change](scene, cube)
+    for found in [*answers, empty]:
+        with pytest.raises(chasles.InvalidInput, match=ANOTHER):
+            scene.view(found, page)
+    scene.view(scene.first_contact(), page)
+    scene.view(scene.least_distances(), page)
+
+
+def test_an_answer_is_shown_with_its_own_scene_and_with_copies(scene, page, cube):
+    found, matrix = scene.first_contact(), scene.least_distances()
+    with pytest.raises(chasles.InvalidInput):
+        scene.add("left", cube)  # a change that is refused changes nothing
+    with pytest.raises(chasles.InvalidInput):
+        scene.move("none", pose(0, 0, 0))
+    for shown in (scene, copy.copy(scene)):
+        shown.view(found, page)
+        shown.view(matrix, page)
+    for other in (pickle.loads(pickle.dumps(scene)), chasles.Scene()):
+        for answer in (found, matrix):
+            with pytest.raises(chasles.InvalidInput, match=ANOTHER):
+                other.view(answer, page)
+    again = copy.copy(scene)
+    again.move("left", pose(0, 0, 9))
+    with pytest.raises(chasles.InvalidInput, match=ANOTHER):
+        scene.view(again.first_contact(), page)
+
+
+def test_a_part_of_an_answer_is_no_answer(scene, page, cube):
+    with pytest.raises(chasles.InvalidInput, match="is an empty list, but all_contacts of this scene has given none"):
+        scene.view([], page)
+    scene.move("floor", pose(0, 0, -9), pose(0, 0, 0.5))
+    found = scene.all_contacts(margin=0.01, until=0.99)
+    assert len(found) > 1
+    scene.view(tuple(found), page)
+    assert data_of(page)["until"] == 0.99
+    count = len(found)
+    for part in (found[:-1], found[1:], [found[0]] * count, found[0]):
+        with pytest.raises(chasles.InvalidInput, match=f"found: has . of the {count} contacts that all_contacts has found"):
+            scene.view(part, page)
+    stepper = chasles.Stepper(scene, margin=1e-3)
+    event = stepper.advance()
+    for mixed in (found[:1] + scene.all_contacts()[1:], [scene.first_contact()], event.contacts, event.contacts[0]):
+        with pytest.raises(chasles.InvalidInput, match="found: must be an answer of first_contact, or the list that all_contacts"):
+            scene.view(mixed, page)
+
+
+def test_what_is_no_answer_of_a_scene_is_a_type_error(scene, page, cube):
     with pytest.raises(TypeError, match="found: must be a chasles.SceneContact"):
         scene.view(chasles.first_contact(cube, cube, pose(3, 0, 0), pose(0, 0, 0)), page)
 
