@@ -76,8 +76,7 @@ std::string summary(const Scene& scene, const SceneAnswer& answer) {
 
 /// The line below the verdict, and how to test bodies at rest where nothing else is tested.
 std::string untested_lines(const SceneAnswer& answer) {
-    const bool all_rest = answer.untested.tested == 0 && answer.untested.count(UntestedReason::at_rest) > 0;
-    return report(answer.untested) + (all_rest ? labelled("", "--until 0 tests bodies at rest, too") : "");
+    return report(answer.untested) + way_to_test_rest(answer.untested, "--until 0 tests bodies at rest, too");
 }
 
 std::string headline_without_contact(const SceneAnswer& answer, const SceneQuery& query) {

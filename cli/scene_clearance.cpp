@@ -12,13 +12,15 @@
 namespace chasles::cli {
 namespace {
 
+constexpr const char* tests_rest = "--all --until 0, without --clearance, tests bodies at rest";
+
 std::string report_of(const SceneFile& file, const SceneDistance& found, bool time_was_over) {
     if (!found.pair)
         return naming_motion(found.nearest.certain
                                  ? "CLEARANCE WITHOUT A LIMIT: no two bodies are tested"
                                  : "NO CLEARANCE PROVEN: the time was over before two bodies were searched",
                              file.motion) +
-               report(found.untested);
+               report(found.untested) + way_to_test_rest(found.untested, tests_rest);
     const auto& [moving, fixed] = *found.pair;
     return headline(found.nearest, file.motion, time_was_over) + report(found.untested) +
            labelled("pair", file.scene.bodies()[moving].name + " on " + file.scene.bodies()[fixed].name) +

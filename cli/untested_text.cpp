@@ -66,4 +66,9 @@ std::string report(const UntestedPairs& untested) {
     return labelled("untested", fmt::format("{}: {}", counted(untested.total(), "pair"), text));
 }
 
+std::string way_to_test_rest(const UntestedPairs& untested, const char* way) {
+    const bool all_rest = untested.tested == 0 && untested.count(UntestedReason::at_rest) > 0;
+    return all_rest ? labelled("", way) : "";
+}
+
 } // namespace chasles::cli

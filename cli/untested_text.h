@@ -14,4 +14,7 @@ std::string clear_headline(const UntestedPairs& untested, const QueryOptions& op
 /// The line below the verdict: how many pairs are not tested, which, and why. Empty if all are.
 std::string report(const UntestedPairs& untested);
 
+/// The line below it where bodies at rest are all there is to test: how to test them. Empty elsewhere.
+std::string way_to_test_rest(const UntestedPairs& untested, const char* way);
+
 } // namespace chasles::cli

@@ -179,6 +179,9 @@ TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     write("rest.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"}, {"name": "b", "mesh": "cube.obj"}]})");
     EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested; motion: rest\n"));
     EXPECT_NE(run("scene rest.json").out.find("--until 0 tests bodies at rest"), std::string::npos);
+    for (const std::string question : {"--matrix", "--clearance"})
+        EXPECT_NE(run("scene rest.json " + question).out.find("--all --until 0, without " + question + ", tests bodies at rest"),
+                  std::string::npos);
     EXPECT_EQ(run("scene scene.json").out.find("untested"), std::string::npos) << "all pairs are tested";
 }
 
