@@ -89,6 +89,8 @@ def test_at_a_limit_every_pair_has_a_bracket(scene, by):
     assert (found.lower[tested] <= exact.upper[tested]).all() and (found.upper[tested] >= exact.lower[tested]).all()
     assert found.lower[0, 4] > 20 and np.isfinite(found.upper[tested]).all()
     assert "to" in str(found)
+    in_doubt = np.count_nonzero(np.triu((found.lower == 0) & (found.upper > 0)))
+    assert in_doubt > 0 and f" in contact, {in_doubt} perhaps, " in str(found)
 
 
 def scene_body():
