@@ -216,15 +216,18 @@ bool ProfileSearch::add_part(const Knot& start, const Knot& end, double others) 
 }
 
 std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const Knot& end, bool is_last) {
+    const double time = time_of(*piece_, end.near.tau) - time_of(*piece_, start.near.tau);
+    const auto is_in_doubt = [&](const DistanceBounds& b) {
+        return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
+    };
     if (start.touch != Touch::apart || end.touch != Touch::apart) {
         const DistanceBounds bounds = touching_bounds(start, end);
         const bool is_narrow = bounds.upper.greatest() <= options_.absolute_tolerance;
-        const bool may_be_short = start.touch != Touch::apart && end.touch != Touch::apart;
         const bool is_short = is_last || end.near.tau - start.near.tau <= shortest_touching_part;
-        if (is_narrow || (may_be_short && is_short))
+        if (start.touch != Touch::apart && end.touch != Touch::apart)
+            return is_narrow || is_short ? std::optional(bounds) : std::nullopt;
+        if (is_narrow && !is_in_doubt(bounds))
             return bounds;
-        if (may_be_short)
-            return std::nullopt;
     }
     const bool is_nested = start.touch == Touch::nested || end.touch == Touch::nested;
     // How deep in touch, where the widths are those of touch.
@@ -242,10 +245,6 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
     if (!found)
         return std::nullopt;
     const DistanceBounds bounds = of_bodies(*found);
-    const double time = time_of(*piece_, end.near.tau) - time_of(*piece_, start.near.tau);
-    const auto is_in_doubt = [&](const DistanceBounds& b) {
-        return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
-    };
     if (!is_in_doubt(bounds))
         return bounds;
     const DistanceBounds best = of_bodies(*knots_.bounds().between(start.near, end.near, std::nullopt));
