@@ -3,8 +3,8 @@
 #include "chasles/robot/range.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/limit.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/robot/range_rounds.h"
 
 #include <algorithm>

@@ -180,7 +180,8 @@ TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested; motion: rest\n"));
     EXPECT_NE(run("scene rest.json").out.find("--until 0 tests bodies at rest"), std::string::npos);
     for (const std::string question : {"--matrix", "--clearance"})
-        EXPECT_NE(run("scene rest.json " + question).out.find("--all --until 0, without " + question + ", tests bodies at rest"),
+        EXPECT_NE(run("scene rest.json " + question)
+                      .out.find("--all --until 0, without " + question + ", tests bodies at rest"),
                   std::string::npos);
     EXPECT_EQ(run("scene scene.json").out.find("untested"), std::string::npos) << "all pairs are tested";
 }
