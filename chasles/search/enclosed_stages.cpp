@@ -227,13 +227,17 @@ bool EnclosedStages<within_margin>::can_refine() {
     return refinement_ != nullptr;
 }
 
-/// In double-double, within what double leaves in doubt.
+/// In double-double, within what double leaves in doubt. Of features that graze for long a contact is proven, but not
+/// when: that is not certain.
 template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::refine(const FeaturePair& features,
                                                                       const FeasibleInterval& where,
                                                                       const SearchState& state) {
     ++work_.refined;
-    return follow(*refinement_, features, where, state);
+    auto found = follow(*refinement_, features, where, state);
+    if (found)
+        found->certain = found->certain && found->upper - found->lower <= options_.tolerance;
+    return found;
 }
 
 template <bool within_margin>
@@ -252,9 +256,9 @@ template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::narrow(const Candidate& candidate,
                                                                       const SearchState& state) {
     auto narrow = follow(shorter_, candidate, candidate.tau, state);
-    if (narrow && narrow->certain && !state.is_final(*narrow) && can_refine())
-        narrow = refine(candidate, *narrow, state);
-    return narrow && !narrow->certain ? candidate.tau : narrow;
+    if (!narrow || !narrow->certain)
+        return narrow ? std::optional(candidate.tau) : std::nullopt;
+    return state.is_final(*narrow) || !can_refine() ? narrow : refine(candidate, *narrow, state);
 }
 
 template class EnclosedStages<false>;
