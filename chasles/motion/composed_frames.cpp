@@ -209,7 +209,14 @@ class PartFrame final : public FrameInBoth<PartFrame> {
 public:
     PartFrame(SharedFrame frame, double from, double to)
         : frame_(std::move(frame)), from_(from), to_(to), duration_(to - from),
-          part_{std::min(from, to), std::max(from, to)} {}
+          part_{std::min(from, to), std::max(from, to)} {
+        std::vector<double> all;
+        frame_->add_cuts(all);
+        for (const double cut : all)
+            if (part_.lower < cut && cut < part_.upper)
+                cuts_.push_back({std::min((cut - from_) / duration_, 1.0), cut});
+        std::ranges::sort(cuts_, {}, &Cut::time);
+    }
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
@@ -234,11 +241,8 @@ public:
     /// The frame of which this one is the way back; null for other parts.
     [[nodiscard]] SharedFrame forwards() const { return from_ == 1 && to_ == 0 ? frame_ : nullptr; }
     void add_cuts(std::vector<double>& cuts) const override {
-        std::vector<double> all;
-        frame_->add_cuts(all);
-        for (const double cut : all)
-            if (part_.lower < cut && cut < part_.upper)
-                cuts.push_back(std::min((cut - from_) / duration_, 1.0));
+        for (const Cut& cut : cuts_)
+            cuts.push_back(cut.time);
     }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> parts;
@@ -260,13 +264,27 @@ public:
     }
 
 private:
+    /// Where rates jump.
+    struct Cut {
+        double time;     ///< of this frame
+        double of_frame; ///< the frame's time there
+    };
+
     /// The frame's time at a time of this one.
     template <class S>
     [[nodiscard]] S of_frame(const S& time) const {
         return std::clamp(S(from_) + time * S(duration_), S(part_.lower), S(part_.upper));
     }
+    /// Of an interval without a cut inside. Its ends are rounded, and must not leave the frame's time between both
+    /// cuts: beyond them its rates are others.
     [[nodiscard]] Bracket of_frame(const Bracket& times) const {
-        const double first = of_frame(times.lower), last = of_frame(times.upper);
+        const auto next = std::ranges::upper_bound(cuts_, times.lower, {}, &Cut::time);
+        const double begin = next == cuts_.begin() ? from_ : std::prev(next)->of_frame,
+                     end = next == cuts_.end() ? to_ : next->of_frame;
+        const auto within = [&](double time) {
+            return std::clamp(of_frame(time), std::min(begin, end), std::max(begin, end));
+        };
+        const double first = within(times.lower), last = within(times.upper);
         return {std::min(first, last), std::max(first, last)};
     }
 
@@ -274,7 +292,8 @@ private:
     double from_;
     double to_;
     double duration_;
-    Bracket part_; ///< of the frame's time
+    Bracket part_;          ///< of the frame's time
+    std::vector<Cut> cuts_; ///< in order of this frame's time
 };
 
 } // namespace

@@ -73,12 +73,18 @@ TEST(Reversed, AScrewHasNoWayBack) {
               "constant twist between the same poses has one");
 }
 
+/// Alone, and carried by another motion, where rates add up with their directions.
 TEST(Reversed, BoundsOfRatesHold) {
     Random random(4502);
     for (int trial = 0; trial < 3 * kinds; ++trial) {
         SCOPED_TRACE(trial % kinds);
-        if (const auto frame = motion_of_kind(random, trial % kinds).reversed().trajectory().frame())
-            expect_bounds_hold(frame, std::uint64_t(trial));
+        const Motion back = motion_of_kind(random, trial % kinds).reversed();
+        if (!back.trajectory().frame())
+            continue;
+        expect_bounds_hold(back.trajectory().frame(), std::uint64_t(trial));
+        const Motion carrier = Motion::slider(random_point(random, 1), {0, 3, 1}) *
+                               Motion::hinge(random_point(random, 1), random_point(random, 1), {0, 2, 0.5});
+        expect_bounds_hold((carrier * back).trajectory().frame(), std::uint64_t(trial));
     }
 }
 
