@@ -180,8 +180,10 @@ void require_question_of(const std::string& tolerance, bool is_given, const std:
 void add_profile_options(CLI::App& command, ProfileFlags& flags, CLI::Option* needed) {
     CLI::Option* const absolute =
         command
-            .add_option("--absolute-tolerance", flags.absolute_tolerance,
-                        "differences of less do not matter, mesh unit; 0: a millionth of the bodies' size")
+            .add_option(
+                "--absolute-tolerance", flags.absolute_tolerance,
+                "differences of less do not matter, mesh unit; 0: a millionth of the bodies' size, and at most an "
+                "eighth of an overlap that is allowed")
             ->type_name("T")
             ->capture_default_str();
     CLI::Option* const margins =

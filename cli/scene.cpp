@@ -74,11 +74,6 @@ std::string summary(const Scene& scene, const SceneAnswer& answer) {
            report(answer.work);
 }
 
-/// The line below the verdict, and how to test bodies at rest where nothing else is tested.
-std::string untested_lines(const SceneAnswer& answer) {
-    return report(answer.untested) + way_to_test_rest(answer.untested, "--until 0 tests bodies at rest, too");
-}
-
 std::string headline_without_contact(const SceneAnswer& answer, const SceneQuery& query) {
     return answer.verdict == Verdict::unknown
                ? unknown_headline(answer.clear_until, query.options.margin, query.options.hold)
@@ -90,10 +85,10 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
     const Scene& scene = file.scene;
     const double margin = query.options.margin;
     if (answer.contacts.empty())
-        return naming_motion(headline_without_contact(answer, query), file.motion) + untested_lines(answer) +
+        return naming_motion(headline_without_contact(answer, query), file.motion) + report_of_scene(answer.untested) +
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
-    std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
+    std::string text = headline(first.contact, margin, file.motion) + report_of_scene(answer.untested) +
                        labelled("pair", pair_of(scene, first)) +
                        report_contact(first.contact, margin, view::why_uncertain(first.contact)) +
                        way_out_line(first.contact, query.options,
@@ -114,8 +109,8 @@ std::string report_all(const SceneFile& file, const SceneAnswer& answer, const S
     const std::string verb = certain == 1 ? " touches" : " touch";
     const std::string perhaps = open > 0 ? fmt::format(", {}{} perhaps", open, certain > 0 ? " more" : "") : "";
     const std::string limit = query.until < 1 ? " " + during(query.until) : "";
-    std::string text =
-        naming_motion(counted(certain, "pair") + verb + perhaps + limit, file.motion) + untested_lines(answer);
+    std::string text = naming_motion(counted(certain, "pair") + verb + perhaps + limit, file.motion) +
+                       report_of_scene(answer.untested);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));

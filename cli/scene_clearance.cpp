@@ -12,15 +12,13 @@
 namespace chasles::cli {
 namespace {
 
-constexpr const char* tests_rest = "--all --until 0, without --clearance, tests bodies at rest";
-
 std::string report_of(const SceneFile& file, const SceneDistance& found, bool time_was_over) {
     if (!found.pair)
         return naming_motion(found.nearest.certain
                                  ? "CLEARANCE WITHOUT A LIMIT: no two bodies are tested"
                                  : "NO CLEARANCE PROVEN: the time was over before two bodies were searched",
                              file.motion) +
-               report(found.untested) + way_to_test_rest(found.untested, tests_rest);
+               report_of_scene(found.untested, "--clearance");
     const auto& [moving, fixed] = *found.pair;
     return headline(found.nearest, file.motion, time_was_over) + report(found.untested) +
            labelled("pair", file.scene.bodies()[moving].name + " on " + file.scene.bodies()[fixed].name) +
@@ -65,7 +63,8 @@ int run_scene_profile(const SceneProfileQuestion& question) {
         json["untested"] = view::untested_json(answer.untested);
         print(json_line(std::move(json), file));
     } else {
-        print(profile_headline(found.distance, file.motion) + report(answer.untested) + request.text(found));
+        print(profile_headline(found.distance, file.motion) + report_of_scene(answer.untested, "--profile") +
+              request.text(found));
     }
     print_warnings(file.warnings);
     return status;

@@ -64,8 +64,8 @@ std::string touch_text(const LeastDistance& nearest) {
 }
 
 std::string text_of(const SceneFile& file, const DistanceMatrix& found, bool time_was_over) {
-    std::string text = naming_motion(headline_of(found, time_was_over), file.motion) + report(found.untested) +
-                       way_to_test_rest(found.untested, "--all --until 0, without --matrix, tests bodies at rest");
+    std::string text =
+        naming_motion(headline_of(found, time_was_over), file.motion) + report_of_scene(found.untested, "--matrix");
     const std::vector<const PairDistance*> pairs = view::nearest_first(found);
     std::size_t width = 0, numbers = 0;
     for (const PairDistance* pair : pairs) {

@@ -66,9 +66,13 @@ std::string report(const UntestedPairs& untested) {
     return labelled("untested", fmt::format("{}: {}", counted(untested.total(), "pair"), text));
 }
 
-std::string way_to_test_rest(const UntestedPairs& untested, const char* way) {
+std::string report_of_scene(const UntestedPairs& untested, std::string_view option) {
     const bool all_rest = untested.tested == 0 && untested.count(UntestedReason::at_rest) > 0;
-    return all_rest ? labelled("", way) : "";
+    if (!all_rest)
+        return report(untested);
+    return report(untested) +
+           labelled("", option.empty() ? "--until 0 tests bodies at rest, too"
+                                       : fmt::format("--all --until 0, without {}, tests bodies at rest", option));
 }
 
 } // namespace chasles::cli

@@ -4,6 +4,7 @@
 #include "chasles/chasles.h"
 
 #include <string>
+#include <string_view>
 
 namespace chasles::cli {
 
@@ -14,7 +15,8 @@ std::string clear_headline(const UntestedPairs& untested, const QueryOptions& op
 /// The line below the verdict: how many pairs are not tested, which, and why. Empty if all are.
 std::string report(const UntestedPairs& untested);
 
-/// The line below it where bodies at rest are all there is to test: how to test them. Empty elsewhere.
-std::string way_to_test_rest(const UntestedPairs& untested, const char* way);
+/// The same for a scene. Where bodies at rest are all there is to test, it says how to test them: without the option,
+/// if one is named.
+std::string report_of_scene(const UntestedPairs& untested, std::string_view option = {});
 
 } // namespace chasles::cli

@@ -179,7 +179,7 @@ TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     write("rest.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"}, {"name": "b", "mesh": "cube.obj"}]})");
     EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested; motion: rest\n"));
     EXPECT_NE(run("scene rest.json").out.find("--until 0 tests bodies at rest"), std::string::npos);
-    for (const std::string question : {"--matrix", "--clearance"})
+    for (const std::string question : {"--matrix", "--clearance", "--profile"})
         EXPECT_NE(run("scene rest.json " + question)
                       .out.find("--all --until 0, without " + question + ", tests bodies at rest"),
                   std::string::npos);
