@@ -6,6 +6,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/of_python.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 
@@ -42,7 +43,7 @@ int report_error(const std::string& why) {
 
 void add_commands(CLI::App& app, Task& task) {
     app.set_version_flag("--version", "chasles " CHASLES_VERSION);
-    app.footer("Exit status: 0 clear, 1 contact, 2 wrong input or usage, 3 out of time, 130 interrupted.");
+    app.footer(help_of_python() + "\nExit status: 0 clear, 1 contact, 2 wrong input or usage, 3 out of time, 130 interrupted.");
     app.require_subcommand(1);
     add_check(app, task);
     add_clearance(app, task);
@@ -93,6 +94,8 @@ int run(const std::vector<std::string>& arguments) {
     add_commands(app, task);
     const io::ReadLog files_read;
     try {
+        if (!arguments.empty() && is_of_python(arguments.front()))
+            return run_of_python(arguments.front(), {arguments.begin() + 1, arguments.end()});
         return parse_and_work(app, task, arguments);
     } catch (const InvalidInput& error) {
         return report_error(error.what());
