@@ -43,7 +43,8 @@ int report_error(const std::string& why) {
 
 void add_commands(CLI::App& app, Task& task) {
     app.set_version_flag("--version", "chasles " CHASLES_VERSION);
-    app.footer(help_of_python() + "\nExit status: 0 clear, 1 contact, 2 wrong input or usage, 3 out of time, 130 interrupted.");
+    app.footer(help_of_python() +
+               "\nExit status: 0 clear, 1 contact, 2 wrong input or usage, 3 out of time, 130 interrupted.");
     app.require_subcommand(1);
     add_check(app, task);
     add_clearance(app, task);

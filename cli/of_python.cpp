@@ -17,7 +17,8 @@ struct OfPython {
     std::string_view install;
 };
 
-constexpr std::array commands = {OfPython{"cad", "pip install \"chasles[cad]\""}, OfPython{"animation", "pip install chasles"}};
+constexpr std::array commands = {OfPython{"cad", "pip install \"chasles[cad]\""},
+                                 OfPython{"animation", "pip install chasles"}};
 
 const OfPython* find(const std::string& command) {
     const auto* const found = std::ranges::find(commands, command, &OfPython::name);
@@ -26,7 +27,9 @@ const OfPython* find(const std::string& command) {
 
 } // namespace
 
-bool is_of_python(const std::string& command) { return find(command) != nullptr; }
+bool is_of_python(const std::string& command) {
+    return find(command) != nullptr;
+}
 
 int run_of_python(const std::string& command, const std::vector<std::string>& arguments) {
     std::string program = "chasles-" + command;

@@ -1,8 +1,8 @@
 #include "chasles/robot/small_motions.h"
 
-#include "chasles/base/limit_of_thread.h"
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/nested_boxes.h"
+#include "chasles/robot/pair_walk.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@ namespace chasles::robot {
 
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Of all lengths that enter; places are computed in double.
@@ -68,63 +67,23 @@ Vector3d between_triangles(const Triangle& first, const Triangle& second) {
     return least;
 }
 
-/// Goes through the pairs of nodes of two bodies that may come within reach. Two parts stay apart if their gap along
-/// some direction is more than the points of one of them may move along it.
+/// Looks for two faces that may come within reach. Two parts stay apart if their gap along some direction is more than
+/// the points of one of them may move along it.
 class ApartTest {
 public:
     explicit ApartTest(const PairAtRest& pair)
-        : pair_(pair), motion_(pair.motion), turn_(pair.relative.linear()), shift_(pair.relative.translation()),
-          absolute_turn_(turn_.cwiseAbs()), slack_(reach_of(pair) + rounding_of(pair)) {}
+        : pair_(pair), motion_(pair.motion), walk_(pair), slack_(reach_of(pair) + rounding_of(pair)) {}
 
     std::optional<NearFaces> run(const std::optional<NearFaces>& first) {
         if (first && !are_apart(*first))
             return first;
-        waiting_.push_back({0, 0});
-        while (!waiting_.empty()) {
-            const auto [a, b] = waiting_.back();
-            waiting_.pop_back();
-            if (watch_.is_over(1))
-                throw Cancelled();
-            if (auto near = visit(a, b))
-                return near;
-        }
-        return std::nullopt;
+        return walk_.find(
+            [&](const PairWalk::Box& moving, const PairWalk::Box& fixed) { return !are_apart(moving, fixed); },
+            [&](const NearFaces& faces) { return !are_apart(faces); });
     }
 
 private:
-    struct Box {
-        Vector3d centre;
-        Vector3d half;
-    };
-    static Box box_of(const Bvh& bvh, const BvhNode& node) {
-        Box box;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double lower = node.lower[i], upper = node.upper[i];
-            box.centre[Eigen::Index(i)] = bvh.centre()[Eigen::Index(i)] + 0.5 * (lower + upper);
-            box.half[Eigen::Index(i)] = 0.5 * (upper - lower);
-        }
-        return box;
-    }
-    std::optional<NearFaces> visit(std::uint32_t first, std::uint32_t second) {
-        const Bvh &moving = pair_.moving.body().bvh(), &fixed = pair_.fixed.body().bvh();
-        const BvhNode &a = moving.nodes()[first], &b = fixed.nodes()[second];
-        const Box own = box_of(moving, a), other = box_of(fixed, b);
-        if (are_apart({moved(own.centre), own.half}, other))
-            return std::nullopt;
-        if (a.is_leaf() && b.is_leaf()) {
-            const NearFaces faces{std::uint32_t(a.first), std::uint32_t(b.first)};
-            return are_apart(faces) ? std::nullopt : std::optional(faces);
-        }
-        if (b.is_leaf() || (!a.is_leaf() && own.half.squaredNorm() > other.half.squaredNorm())) {
-            waiting_.push_back({a.first, second});
-            waiting_.push_back({a.first + 1, second});
-        } else {
-            waiting_.push_back({first, b.first});
-            waiting_.push_back({first, b.first + 1});
-        }
-        return std::nullopt;
-    }
-    [[nodiscard]] Vector3d moved(const Vector3d& point) const { return contact::product(turn_, point) + shift_; }
+    using Box = PairWalk::Box;
     /// Whether points within both radii may close a gap along a direction.
     [[nodiscard]] bool is_enough(double gap, const Vector3d& direction, const Box& moving, const Box& fixed) const {
         return gap > motion_.way_along(direction, moving.centre, moving.half.norm()) + motion_.rest_of_moving ||
@@ -134,19 +93,19 @@ private:
     /// between boxes aligned with the fixed frame, and along the last direction that has separated faces.
     [[nodiscard]] bool are_apart(const Box& moving, const Box& fixed) const {
         const Vector3d apart = moving.centre - fixed.centre;
-        const Vector3d beside =
-            (apart.cwiseAbs() - absolute_turn_ * moving.half - fixed.half).cwiseMax(Vector3d::Zero());
+        const Vector3d beside = walk_.beside(moving, fixed);
         const double distance = beside.norm(), gap = distance - slack_;
         if (gap > 0 && (gap > std::min(motion_.way_of_moving, motion_.way_of_fixed) ||
                         is_enough(gap, beside.cwiseProduct(apart.cwiseSign()) / distance, moving, fixed)))
             return true;
-        const double along = last_.dot(apart) - (turn_.transpose() * last_).cwiseAbs().dot(moving.half) -
+        const double along = last_.dot(apart) -
+                             (pair_.relative.linear().transpose() * last_).cwiseAbs().dot(moving.half) -
                              last_.cwiseAbs().dot(fixed.half) - slack_;
         return along > 0 && is_enough(along, last_, moving, fixed);
     }
     [[nodiscard]] bool are_apart(const NearFaces& faces) {
         for (const Triangle& own : pair_.moving.triangles(faces.moving)) {
-            const Triangle moving{moved(own[0]), moved(own[1]), moved(own[2])};
+            const Triangle moving = walk_.placed(own);
             for (const Triangle& fixed : pair_.fixed.triangles(faces.fixed))
                 if (!are_apart_along(last_, moving, fixed) && !are_apart(moving, fixed))
                     return false;
@@ -176,13 +135,9 @@ private:
 
     const PairAtRest& pair_;
     const SmallMotion& motion_;
-    Matrix3d turn_;
-    Vector3d shift_;
-    Matrix3d absolute_turn_;
+    PairWalk walk_;
     double slack_;
     Vector3d last_ = Vector3d::UnitX();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting_;
-    Watch watch_;
 };
 
 /// At the configuration itself. Surfaces that stay apart keep it so.
@@ -304,11 +259,92 @@ private:
     double rest_of_inner_, rest_of_outer_;
 };
 
+/// An edge that passes through a triangle, and stays so: its ends stay on both sides of the plane of the triangle, and
+/// on the inner side of the planes through the sides of the triangle and along the edge.
+class CrossingTest {
+public:
+    explicit CrossingTest(const PairAtRest& pair)
+        : pair_(pair), motion_(pair.motion), walk_(pair), rounding_(rounding_of(pair)) {}
+
+    [[nodiscard]] bool run() {
+        std::size_t tries = 0;
+        bool is_found = false;
+        walk_.find([&](const PairWalk::Box& moving,
+                       const PairWalk::Box& fixed) { return walk_.beside(moving, fixed).norm() <= rounding_; },
+                   [&](const NearFaces& faces) {
+                       is_found = pass_through_each_other(faces);
+                       return is_found || ++tries == most_tries;
+                   });
+        return is_found;
+    }
+
+private:
+    [[nodiscard]] bool pass_through_each_other(const NearFaces& faces) const {
+        for (const Triangle& own : pair_.moving.triangles(faces.moving)) {
+            const Triangle moving = walk_.placed(own);
+            for (const Triangle& fixed : pair_.fixed.triangles(faces.fixed))
+                if (passes_through(moving, fixed, motion_.rest_of_moving) ||
+                    passes_through(fixed, moving, motion_.rest_of_fixed))
+                    return true;
+        }
+        return false;
+    }
+    /// `rest`: of the points of the first one, as seen from the second one.
+    [[nodiscard]] bool passes_through(const Triangle& edges, const Triangle& triangle, double rest) const {
+        const auto& [a, b, c] = triangle;
+        const Vector3d normal = (b - a).cross(c - a);
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        if (!(normal.norm() > narrow * rounding_ * longest))
+            return false;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3d &from = edges[i], &to = edges[(i + 1) % 3];
+            const double sign = normal.dot(from - a) >= 0 ? 1 : -1;
+            if (stays_before(from, {a, b - a, sign * normal}, rest) &&
+                stays_before(to, {a, c - a, -sign * normal}, rest) && stays_within(from, to, triangle, rest))
+                return true;
+        }
+        return false;
+    }
+    [[nodiscard]] bool stays_within(const Vector3d& from, const Vector3d& to, const Triangle& triangle,
+                                    double rest) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3d &a = triangle[i], &b = triangle[(i + 1) % 3], &c = triangle[(i + 2) % 3];
+            const Vector3d across = (b - a).cross(to - from);
+            const Plane plane{a, b - a, across.dot(c - a) >= 0 ? across : Vector3d(-across)};
+            if (!stays_before(from, plane, rest) || !stays_before(to, plane, rest))
+                return false;
+        }
+        return true;
+    }
+    struct Plane {
+        Vector3d point;
+        Vector3d along; ///< a side of the triangle
+        Vector3d normal;
+    };
+    /// Whether a point stays on that side of a plane to which its normal points.
+    [[nodiscard]] bool stays_before(const Vector3d& point, const Plane& plane, double rest) const {
+        const double length = plane.normal.norm();
+        const Vector3d unit = plane.normal / length;
+        return length > 0 && std::abs(unit.dot(plane.along)) <= rounding_ / (narrow * 100) &&
+               unit.dot(point - plane.point) >
+                   (motion_.way_along(unit, point) + rest) * (1 + rounding_share) + rounding_;
+    }
+
+    /// Triangles that are narrower than so many roundings prove nothing.
+    static constexpr double narrow = 1e4;
+
+    const PairAtRest& pair_;
+    const SmallMotion& motion_;
+    PairWalk walk_;
+    double rounding_;
+};
+
 } // namespace
 
 bool stay_in_touch(const PairAtRest& pair) {
     const TouchTest moving(pair, true), fixed(pair, false);
-    return moving.has_inner_point() || fixed.has_inner_point() || moving.has_point() || fixed.has_point();
+    return moving.has_inner_point() || fixed.has_inner_point() || moving.has_point() || fixed.has_point() ||
+           CrossingTest(pair).run();
 }
 
 } // namespace chasles::robot

@@ -29,8 +29,9 @@ TEST_F(OfPython, GetsItsWordsAndGivesItsStatus) {
 }
 
 TEST_F(OfPython, WhatIsMissingIsNamedWithTheWayToGetIt) {
-    EXPECT_EQ(error_line("animation a.glb"), "chasles: animation comes with the Python package: its program chasles-animation is "
-                                             "not on the PATH (pip install chasles)");
+    EXPECT_EQ(error_line("animation a.glb"),
+              "chasles: animation comes with the Python package: its program chasles-animation is "
+              "not on the PATH (pip install chasles)");
     EXPECT_NE(run("--help").out.find("With the Python package: cad, animation."), std::string::npos);
 }
 

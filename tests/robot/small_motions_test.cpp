@@ -23,6 +23,13 @@ bool touch(const Polyhedron& moving, const Polyhedron& fixed, const Eigen::Isome
                .verdict != Verdict::clear;
 }
 
+/// An open surface in the plane z = 0.
+Polyhedron sheet(double width, double height) {
+    const double x = width / 2, y = height / 2;
+    const std::vector<Vector3d> vertices{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}};
+    return Polyhedron::from_polygons(vertices, std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}});
+}
+
 /// One turn and one slide, of a moving body with this radius around its origin.
 struct TurnAndSlide {
     Vector3d axis, origin, direction;
@@ -52,7 +59,8 @@ TEST(SmallMotions, SamplesRefuteNeitherProof) {
     std::mt19937 shapes(4004);
     for (int round = 0; round < 1500; ++round) {
         const auto shape = [&] {
-            return random.chance(0.3) ? make_sphere(random.uniform(0.2, 0.6))
+            return random.chance(0.3)   ? make_sphere(random.uniform(0.2, 0.6))
+                   : random.chance(0.2) ? sheet(random.uniform(0.5, 3), random.uniform(0.5, 3))
                    : random.chance(0.5)
                        ? random_octahedron(shapes).polyhedron()
                        : make_box({random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2)});
@@ -109,6 +117,31 @@ TEST(SmallMotions, WhatIsInsideTouches) {
     EXPECT_TRUE(robot::near_faces({second, first, place.inverse(), motion}));
     EXPECT_TRUE(robot::stay_in_touch({first, second, place, motion}));
     EXPECT_TRUE(robot::stay_in_touch({second, first, place.inverse(), motion}));
+}
+
+/// Neither sheet has a point inside of the other one. The second one stands across the first one.
+TEST(SmallMotions, AnEdgeStaysInTheFaceThatItPassesThrough) {
+    const Polyhedron lying = sheet(1, 1), standing = sheet(1, 1);
+    const OverlapSurface first(standing), second(lying);
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity(); // x = 0, y in [-0.4, 0.6], z in [-0.3, 0.7]
+    place.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+    place.translation() = Vector3d(0, 0.1, 0.2);
+    const auto touch = [&](const Vector3d& direction, double way) {
+        SmallMotion motion;
+        motion.steps = {{direction, Vector3d::Zero(), way, false}};
+        motion.way_of_moving = motion.way_of_fixed = way;
+        SmallMotion back = motion;
+        back.steps[0].axis = place.linear().transpose() * direction;
+        const bool found = robot::stay_in_touch({first, second, place, motion});
+        EXPECT_EQ(robot::stay_in_touch({second, first, place.inverse(), back}), found);
+        return found;
+    };
+    EXPECT_TRUE(touch(Vector3d::UnitZ(), 0.29));
+    EXPECT_FALSE(touch(Vector3d::UnitZ(), 0.31));
+    EXPECT_TRUE(touch(Vector3d::UnitX(), 0.49));
+    EXPECT_FALSE(touch(Vector3d::UnitX(), 0.51));
+    EXPECT_TRUE(touch(Vector3d::UnitY(), 0.09)); // an edge at y = -0.4 stays above the face
+    EXPECT_FALSE(touch(Vector3d::UnitY(), 0.91));
 }
 
 } // namespace
