@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
+#include "chasles/certificate/certificate.h"
 #include "chasles/contact/constraint_rows.h"
 #include "chasles/manipulation/dragged_body.h"
 #include "chasles/mesh/polyhedron.h"

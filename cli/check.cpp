@@ -1,4 +1,6 @@
 // chasles check: one motion between two poses.
+#include "chasles/base/limit.h"
+#include "chasles/certificate/certificate.h"
 #include "cli/commands.h"
 #include "cli/one_motion.h"
 #include "cli/output.h"
@@ -6,6 +8,7 @@
 #include "cli/warnings.h"
 #include "view/answer_json.h"
 
+#include <cstdio>
 #include <memory>
 
 namespace chasles::cli {
@@ -13,8 +16,23 @@ namespace {
 
 struct CheckOptions {
     OneMotionOptions question;
+    std::string certificate;
     bool json = false;
 };
+
+/// What is not proven goes to standard error, and into the JSON object.
+void write_certificate(const OneMotion& question, const std::string& name, view::Json* answer) {
+    OutputFile file(name);
+    const Limit limit(question.seconds);
+    const Certificate certificate =
+        certify({question.bodies.moving, question.bodies.fixed, question.motion, question.options});
+    file.write(certificate.text);
+    file.close();
+    if (!certificate.missing.empty())
+        std::fputs(("chasles: " + name + ": incomplete: " + certificate.missing + "\n").c_str(), stderr);
+    if (answer)
+        (*answer)["certificate"] = {{"file", name}, {"planes", certificate.planes}, {"missing", certificate.missing}};
+}
 
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
@@ -22,8 +40,12 @@ int run_check(const CheckOptions& options) {
     if (options.json) {
         view::Json answer = view::answer_json(found, question.numbers);
         add_warnings(answer, question.bodies.warnings);
+        if (!options.certificate.empty())
+            write_certificate(question, options.certificate, &answer);
         print(answer.dump() + "\n");
     } else {
+        if (!options.certificate.empty())
+            write_certificate(question, options.certificate, nullptr);
         print(report(found, question.numbers, question.options, {question.bodies.moving, question.bodies.fixed}));
     }
     return status_of(found.verdict);
@@ -36,6 +58,8 @@ void add_check(CLI::App& app, Task& task) {
     CLI::App& command =
         *app.add_subcommand("check", "When do two bodies first touch during a motion between two poses?");
     add_one_motion_options(command, options->question);
+    command.add_option("--certificate", options->certificate, "write a proof of the answer, for chasles verify")
+        ->type_name("FILE.cert");
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });
 }

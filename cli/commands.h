@@ -31,6 +31,7 @@ void add_range(CLI::App& app, Task& task);
 void add_drag(CLI::App& app, Task& task);
 void add_batch(CLI::App& app, Task& task);
 void add_info(CLI::App& app, Task& task);
+void add_verify(CLI::App& app, Task& task);
 void add_demo(CLI::App& app, Task& task);
 
 } // namespace chasles::cli

@@ -58,6 +58,7 @@ void add_commands(CLI::App& app, Task& task) {
     add_range(app, task);
     add_drag(app, task);
     add_info(app, task);
+    add_verify(app, task);
     add_demo(app, task);
 }
 

@@ -19,7 +19,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     "motions": ("Poses and motions", ["motion/pose.h", "motion/motion.h", "motion/timed_poses.h", "motion/own_trajectory.h"]),
     "first-contact": (
         "The first contact",
-        ["query/first_contact.h", "search/find.h", "algebra/bracket.h", "contact/contact.h", "contact/constraint_rows.h",
+        ["query/first_contact.h", "certificate/certificate.h", "search/find.h", "algebra/bracket.h", "contact/contact.h", "contact/constraint_rows.h",
          "memory/pair_memory.h"],
     ),
     "paths-and-batches": ("Paths, batches and limits", ["query/path.h", "query/batch.h", "base/limit.h"]),

@@ -19,7 +19,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     ),
     "first-contact": (
         "The first contact",
-        ["first_contact", "first_contact_on_path", "FirstContact", "PathContact", "Verdict", "Find", "Contact", "ContactKind",
+        ["first_contact", "first_contact_on_path", "verify", "FirstContact", "PathContact", "Verdict", "Find", "Contact", "ContactKind",
          "Overlap", "Work", "PairMemory", "constraint_rows"],
     ),
     "batches": (

@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     "search": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact"],
     "memory": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search"],
     "query": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory"],
+    "certificate": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query"],
     "scene": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query"],
     "io": ["base", "algebra", "motion", "hierarchy", "mesh"],
     "robot": [
@@ -31,10 +32,11 @@ MAY_INCLUDE = {
     "manipulation": [
         "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query", "scene",
     ],
+    "tools": [],
     "scenes": [],
     "view": ["base"],
-    "cli": ["base", "io", "robot", "scenes", "view"],
-    "python": ["base", "motion", "scene", "io", "view"],
+    "cli": ["base", "io", "robot", "scenes", "tools", "view"],
+    "python": ["base", "motion", "scene", "io", "tools", "view"],
     "javascript": ["base", "motion", "io", "view"],
     "playground": ["examples", "scenes"],
     "ompl": [],

@@ -18,4 +18,4 @@ if [ $# -eq 1 ]; then
 fi
 "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" ".[test,oracles]"
 cd tests/python # outside python/chasles, so that the tests import the installed package
-"$environment/bin/python" -m pytest -q -p no:cacheprovider -n auto --dist loadfile
+"$environment/bin/python" -m pytest -q -p no:cacheprovider -n auto --dist loadfile . ../verify

@@ -68,6 +68,7 @@ from ._core import (
     relative,
     rest_of,
     sphere,
+    verify,
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .collision import CollisionManager
@@ -155,6 +156,7 @@ __all__ = [
     "relative",
     "rest_of",
     "sphere",
+    "verify",
     "view",
     "write_robot_page",
 ]

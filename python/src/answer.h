@@ -48,6 +48,9 @@ void for_each_reference(AnyAnswer& answer, const Visit& visit) {
     for_each_reference(answer.motion, visit);
 }
 
+/// The text of a certificate. Throws InvalidInput where it cannot be made.
+std::string certificate_of(const Answer& answer);
+
 /// "clear until 0.5", or "clear at the start" where nothing else was asked.
 std::string clear_until_text(double until);
 

@@ -67,6 +67,10 @@ void bind_first_contact(nb::module_& module) {
         .def_prop_ro(
             "clear_until", [](const Answer& a) { return a.found.clear_until; }, doc("FirstContact.clear_until"))
         .def_ro("margin", &Answer::margin, "The margin of the query.")
+        .def("certificate", certificate_of,
+             "A proof of the answer, as text that programs of others can check (docs/certificate.md): of the paper's "
+             "screw, against a body at rest. It is found anew, beside the search.\n\nReturns\n-------\nstr\n\nRaises\n"
+             "------\nInvalidInput\n    For what cannot be certified, or is not proven: with the reason.")
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
 }
 

@@ -25,6 +25,7 @@ void bind_robot(nanobind::module_& module);
 void bind_robot_answers(nanobind::module_& module);
 void bind_joint_path(nanobind::module_& module);
 void bind_robot_clearance(nanobind::module_& module);
+void bind_certificate(nanobind::module_& module);
 void bind_view(nanobind::module_& module);
 void bind_record(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);

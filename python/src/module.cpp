@@ -49,6 +49,7 @@ NB_MODULE(_core, module) {
     python::bind_robot(module);
     python::bind_robot_clearance(module);
     python::bind_robot_answers(module);
+    python::bind_certificate(module);
     python::bind_view(module);
     python::bind_record(module);
     python::bind_timing(module);

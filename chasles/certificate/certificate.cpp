@@ -1,0 +1,201 @@
+#include "chasles/certificate/certificate.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/certificate/certified_body.h"
+#include "chasles/certificate/hexadecimal.h"
+#include "chasles/certificate/prover.h"
+#include "chasles/certificate/witness.h"
+#include "chasles/mesh/body.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/screw_trajectory.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace chasles {
+
+namespace certificate {
+
+namespace {
+
+std::string line(const std::string& word, std::initializer_list<double> numbers) {
+    std::string text = word;
+    for (const double number : numbers)
+        text += " " + hexadecimal(number);
+    return text + "\n";
+}
+
+std::string pose_line(const Pose& pose) {
+    const Eigen::Vector3d& p = pose.translation;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return line("pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+}
+
+std::string body_line(const Polyhedron& body) {
+    return " " + hash_of(body) + " " + std::to_string(body.face_count()) + "\n";
+}
+
+std::string order_line(const std::string& name, const FaceTree& tree) {
+    std::string text = "order " + name;
+    for (const std::uint32_t face : tree.order())
+        text += " " + std::to_string(face);
+    return text + "\n";
+}
+
+/// The pieces of a screw. Throws InvalidInput for other motions.
+std::vector<ScrewMotion> pieces_of(const Motion& motion) {
+    const auto* const screw =
+        dynamic_cast<const motion::ErasedTrajectory<motion::ScrewTrajectory>*>(&motion.trajectory());
+    if (!screw)
+        throw InvalidInput("certificate: only the motions that are the paper's screw are certified so far");
+    if (screw->get().ends().fixed)
+        throw InvalidInput("certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
+    std::vector<ScrewMotion> pieces;
+    const motion::ScrewPieces all = screw->get().pieces();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        pieces.push_back(ScrewMotion::between(all.ends_of(i).start, all.ends_of(i).goal, std::numbers::pi));
+    return pieces;
+}
+
+std::string motion_lines(const std::vector<ScrewMotion>& pieces) {
+    std::string text = "motion screw " + std::to_string(pieces.size()) + "\n";
+    for (const ScrewMotion& piece : pieces)
+        text += pose_line(piece.trajectory().ends().start);
+    return text + pose_line(pieces.back().trajectory().ends().goal);
+}
+
+class Certifier {
+public:
+    explicit Certifier(const FirstContactQuery& query)
+        : moving_(query.moving), fixed_(query.fixed), options_(query.options), pieces_(pieces_of(query.motion)),
+          own_(moving_), other_(fixed_),
+          reach_(DoubleDouble(moving_.radius()) + DoubleDouble(fixed_.radius()) + DoubleDouble(options_.margin)) {
+        options_.find = Find::first;
+    }
+
+    Certificate run() {
+        answer();
+        const bool is_start = verdict_ == Verdict::contact_at_start;
+        std::string text = head();
+        if (!is_start)
+            text += order_line("moving", own_) + order_line("fixed", other_) + outside() + proof();
+        result_.text = text + (verdict_ == Verdict::clear ? "" : witness());
+        return result_;
+    }
+
+private:
+    /// Brackets are wider by this at both ends: the bodies are apart before it, and pass through each other after it.
+    static constexpr double beside = 0x1p-44;
+
+    /// The first piece with a contact.
+    void answer() {
+        for (piece_ = 0; piece_ < pieces_.size(); ++piece_) {
+            found_ = first_contact({moving_, fixed_, pieces_[piece_], options_});
+            if (found_.verdict != Verdict::clear)
+                break;
+        }
+        verdict_ = found_.verdict;
+        found_.tau.lower = std::max(found_.tau.lower - beside, 0.0);
+        found_.tau.upper = std::min(found_.tau.upper + beside, 1.0);
+    }
+
+    [[nodiscard]] std::string head() const {
+        const bool a = moving_.body().volume().is_solid(), b = fixed_.body().volume().is_solid();
+        std::string text = "chasles certificate 1\nmoving" + body_line(moving_) + "fixed" + body_line(fixed_) + "solid ";
+        text += a && b ? "both\n" : a ? "moving\n" : b ? "fixed\n" : "none\n";
+        text += line("radius", {moving_.radius(), fixed_.radius()}) + line("margin", {options_.margin});
+        text += motion_lines(pieces_);
+        if (verdict_ == Verdict::clear)
+            return text + "verdict clear\n";
+        if (verdict_ == Verdict::contact_at_start)
+            return text + "verdict start\n";
+        return text + line("verdict contact " + std::to_string(piece_), {found_.tau.lower, found_.tau.upper});
+    }
+    [[nodiscard]] PieceOfBodies piece_of(std::size_t index) const {
+        return {own_, other_, motion::ScrewPiece(pieces_[index].trajectory().ends()).cubic(), reach_};
+    }
+
+    std::string outside() {
+        const PieceOfBodies start = piece_of(0);
+        std::string text;
+        for (const bool of_moving : {true, false}) {
+            if (!(of_moving ? fixed_ : moving_).body().volume().is_solid())
+                continue;
+            for (const auto& [face, corner] : corners_of_parts(of_moving ? moving_ : fixed_)) {
+                const std::optional<Ray> ray = ray_from(start, of_moving, face, corner);
+                if (ray && ray->winding <= 0)
+                    text += "outside " + ray->words + "\n";
+                else
+                    miss("that no part of a body is inside of the other one at the start");
+            }
+        }
+        return text;
+    }
+    std::string proof() {
+        std::string text;
+        std::size_t open = 0;
+        for (std::size_t index = 0; index < pieces_.size() && index <= piece_; ++index) {
+            const Proof proof = prove(piece_of(index), index == piece_ ? found_.tau.lower : 1);
+            text += "proof " + std::to_string(index) + "\n" + proof.steps;
+            result_.planes += proof.planes;
+            open += proof.open;
+        }
+        if (open > 0)
+            miss(std::to_string(open) + " steps, where the bodies are nearer to each other than planes can tell");
+        return text;
+    }
+    std::string witness() {
+        const std::size_t index = verdict_ == Verdict::contact_at_start ? 0 : piece_;
+        const PieceOfBodies piece = piece_of(index);
+        if (verdict_ == Verdict::contact_at_start && found_.inside)
+            return witness_inside(piece);
+        const double tau = verdict_ == Verdict::contact_at_start ? 0 : found_.tau.upper;
+        if (const auto words = witness_at(piece, tau))
+            return *words + "\n";
+        miss("the contact: no edge was found that passes through a face, as where bodies only touch");
+        return "";
+    }
+    std::string witness_inside(const PieceOfBodies& piece) {
+        const bool of_moving = found_.inside->moving_is_inside;
+        const Polyhedron& body = of_moving ? moving_ : fixed_;
+        for (const auto& [face, corner] : corners_of_parts(body))
+            if (const auto ray = ray_from(piece, of_moving, face, corner); ray && ray->winding > 0)
+                return "witness inside " + ray->words + "\n";
+        miss("that a part of a body is inside of the other one");
+        return "";
+    }
+    void miss(const std::string& what) {
+        if (result_.missing.empty())
+            result_.missing = "not proven: " + what;
+    }
+
+    Polyhedron moving_, fixed_;
+    QueryOptions options_;
+    std::vector<ScrewMotion> pieces_;
+    FaceTree own_, other_;
+    DoubleDouble reach_;
+    FirstContact found_;
+    Verdict verdict_ = Verdict::unknown;
+    std::size_t piece_ = 0;
+    Certificate result_;
+};
+
+} // namespace
+
+} // namespace certificate
+
+Certificate certify(const FirstContactQuery& query) {
+    if (query.options.hold)
+        throw InvalidInput("certificate: answers with `hold` are not certified");
+    certificate::check_body(query.moving, "moving");
+    certificate::check_body(query.fixed, "fixed");
+    return certificate::Certifier(query).run();
+}
+
+bool is_about(const std::string& text, const Motion& motion) {
+    return text.find("\n" + certificate::motion_lines(certificate::pieces_of(motion)) + "verdict ") != std::string::npos;
+}
+
+} // namespace chasles

@@ -1,0 +1,317 @@
+#include "chasles/certificate/witness.h"
+
+#include "chasles/certificate/hexadecimal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace chasles::certificate {
+
+namespace {
+
+using Wide = Vector3<DoubleDouble>;
+using Triangle = std::array<Wide, 3>;
+
+/// Of the lengths that enter: signs below it are not known.
+constexpr double unknown = 1e-28;
+
+Wide widened(const Corner& v) {
+    return {DoubleDouble(v.x), DoubleDouble(v.y), DoubleDouble(v.z)};
+}
+
+/// A face at one tau, in the frame of the fixed body.
+struct PlacedFace {
+    bool is_moving;
+    std::uint32_t number;
+    std::vector<Wide> corners;
+
+    [[nodiscard]] std::size_t size() const { return corners.size(); }
+    [[nodiscard]] Triangle triangle(std::size_t k) const { return {corners[0], corners[k], corners[k + 1]}; }
+    /// As a checker asks, with the normal of the whole outline.
+    [[nodiscard]] bool is_convex() const {
+        if (size() == 3)
+            return true;
+        Wide normal;
+        for (std::size_t k = 1; k + 1 < size(); ++k)
+            normal = normal + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
+        for (std::size_t k = 0; k < size(); ++k) {
+            const Wide &a = corners[k], &b = corners[(k + 1) % size()], &c = corners[(k + 2) % size()];
+            if (dot(normal, cross(b - a, c - b)).high() < 0 || dot(normal, cross(a - corners[0], b - corners[0])).high() < 0)
+                return false;
+        }
+        return true;
+    }
+};
+
+/// The heights of a crossing above what would end it: of the ends of an edge from a plane, and of the edge from the
+/// sides. At least 0 where an edge meets a triangle.
+double depth_of(const Wide& from, const Wide& to, const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    const auto height = [](const Wide& normal, const Wide& vector) {
+        const DoubleDouble size = length(normal);
+        return size.high() > 0 ? (dot(normal, vector) / size).high() : 0.0;
+    };
+    const Wide normal = cross(b - a, c - a);
+    const double first = height(normal, from - a), second = height(normal, to - a);
+    double depth = first > second ? std::min(first, -second) : std::min(-first, second);
+    const double sense = first > second ? 1 : -1; // of the edge, against the normal
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Wide &p = triangle[i], &q = triangle[(i + 1) % 3];
+        depth = std::min(depth, sense * height(cross(q - p, to - from), from - p));
+    }
+    return depth;
+}
+
+class WitnessSearch {
+public:
+    WitnessSearch(const PieceOfBodies& piece, double tau) : piece_(piece), tau_(tau) {}
+
+    std::optional<std::string> run() {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting{{0, 0}};
+        while (!waiting.empty() && tries_ < most_tries) {
+            const auto [first, second] = waiting.back();
+            waiting.pop_back();
+            const FaceTree::Node &a = piece_.moving().node(first), &b = piece_.fixed().node(second);
+            if (piece_.gap_at(a, b, tau_).gap > piece_.reach().high() + 1e-12 * piece_.size())
+                continue;
+            if (a.is_leaf() && b.is_leaf()) {
+                ++tries_;
+                look_at(placed(true, piece_.moving().first_face(a)), placed(false, piece_.fixed().first_face(b)));
+            } else if (b.is_leaf() || (!a.is_leaf() && a.extent >= b.extent)) {
+                waiting.emplace_back(a.parts, second);
+                waiting.emplace_back(a.parts + 1, second);
+            } else {
+                waiting.emplace_back(first, b.parts);
+                waiting.emplace_back(first, b.parts + 1);
+            }
+        }
+        return best_;
+    }
+
+private:
+    /// So many pairs of faces that are near are looked at.
+    static constexpr std::size_t most_tries = 400;
+
+    [[nodiscard]] PlacedFace placed(bool of_moving, std::uint32_t face) const {
+        const FaceTree& tree = of_moving ? piece_.moving() : piece_.fixed();
+        PlacedFace result{of_moving, face, {}};
+        for (std::size_t i = 0; i < tree.body().face(face).size(); ++i) {
+            const Corner corner = tree.corner(face, i);
+            result.corners.push_back(of_moving ? piece_.polynomials().place(corner, DoubleDouble(tau_)) : widened(corner));
+        }
+        return result;
+    }
+    void look_at(const PlacedFace& moving, const PlacedFace& fixed) {
+        if (piece_.reach() > DoubleDouble(0)) {
+            look_for_near_points(moving, fixed);
+        } else {
+            look_for_crossings(moving, fixed);
+            look_for_crossings(fixed, moving);
+        }
+    }
+    void look_for_crossings(const PlacedFace& edges, const PlacedFace& face) {
+        if (!face.is_convex())
+            return;
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (std::size_t k = 1; k + 1 < face.size(); ++k)
+                take(depth_of(edges.corners[i], edges.corners[(i + 1) % edges.size()], face.triangle(k)), [&] {
+                    return "witness cross " + hexadecimal(tau_) + (edges.is_moving ? " moving " : " fixed ") +
+                           std::to_string(edges.number) + " " + std::to_string(i) + " " + std::to_string(face.number) +
+                           " " + std::to_string(k);
+                });
+    }
+    template <class Words>
+    void take(double depth, const Words& words) {
+        if (depth < -unknown * piece_.size() || (best_ && depth <= depth_))
+            return;
+        depth_ = depth;
+        best_ = words();
+    }
+    void look_for_near_points(const PlacedFace& moving, const PlacedFace& fixed);
+    void take_points(const PlacedFace& moving, std::size_t i, const std::array<double, 3>& own, const PlacedFace& fixed,
+                     std::size_t k, const std::array<double, 3>& other);
+
+    const PieceOfBodies& piece_;
+    double tau_;
+    std::size_t tries_ = 0;
+    double depth_ = 0;
+    std::optional<std::string> best_;
+};
+
+using Weights = std::array<double, 3>;
+
+/// Of the point of a segment between two corners of a triangle.
+Weights on_side(std::size_t from, double share) {
+    Weights weights{};
+    weights[from] = 1 - share;
+    weights[(from + 1) % 3] = share;
+    return weights;
+}
+
+/// The shares of the nearest points of two segments.
+std::array<double, 2> shares_of_segments(const Corner& p, const Corner& along_p, const Corner& q, const Corner& along_q) {
+    const Corner apart = p - q;
+    const double a = dot(along_p, along_p), e = dot(along_q, along_q), f = dot(along_q, apart);
+    const double b = dot(along_p, along_q), c = dot(along_p, apart), determinant = a * e - b * b;
+    double s = determinant > 0 ? std::clamp((b * f - c * e) / determinant, 0.0, 1.0) : 0;
+    double t = e > 0 ? (b * s + f) / e : 0;
+    if (t < 0 || t > 1) {
+        t = std::clamp(t, 0.0, 1.0);
+        s = a > 0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0;
+    }
+    return {s, t};
+}
+
+/// Of the foot of a point on a triangle, if it is inside.
+std::optional<Weights> foot_on(const std::array<Corner, 3>& triangle, const Corner& point) {
+    const auto& [a, b, c] = triangle;
+    const Corner normal = cross(b - a, c - a);
+    const double square = dot(normal, normal);
+    if (!(square > 0))
+        return std::nullopt;
+    const double v = dot(cross(point - a, c - a), normal) / square, w = dot(cross(b - a, point - a), normal) / square;
+    if (v < 0 || w < 0 || v + w > 1)
+        return std::nullopt;
+    return Weights{1 - v - w, v, w};
+}
+
+void WitnessSearch::look_for_near_points(const PlacedFace& moving, const PlacedFace& fixed) {
+    if (!moving.is_convex() || !fixed.is_convex())
+        return;
+    for (std::size_t i = 1; i + 1 < moving.size(); ++i)
+        for (std::size_t k = 1; k + 1 < fixed.size(); ++k) {
+            std::array<Corner, 3> own, other;
+            for (std::size_t j = 0; j < 3; ++j) {
+                own[j] = motion::in_double(moving.triangle(i)[j]);
+                other[j] = motion::in_double(fixed.triangle(k)[j]);
+            }
+            for (std::size_t j = 0; j < 3; ++j) {
+                if (const auto foot = foot_on(other, own[j]))
+                    take_points(moving, i, on_side(j, 0), fixed, k, *foot);
+                if (const auto foot = foot_on(own, other[j]))
+                    take_points(moving, i, *foot, fixed, k, on_side(j, 0));
+                for (std::size_t l = 0; l < 3; ++l) {
+                    const auto [s, t] = shares_of_segments(own[j], own[(j + 1) % 3] - own[j], other[l], other[(l + 1) % 3] - other[l]);
+                    take_points(moving, i, on_side(j, s), fixed, k, on_side(l, t));
+                }
+            }
+        }
+}
+
+void WitnessSearch::take_points(const PlacedFace& moving, std::size_t i, const Weights& own, const PlacedFace& fixed,
+                                std::size_t k, const Weights& other) {
+    const auto integers = [](const Weights& weights) {
+        std::array<long long, 3> rounded{};
+        for (std::size_t j = 0; j < 3; ++j)
+            rounded[j] = std::llround(std::ldexp(std::max(weights[j], 0.0), 52));
+        return rounded;
+    };
+    const auto place = [](const Triangle& triangle, const std::array<long long, 3>& weights) {
+        Wide sum;
+        DoubleDouble total(0);
+        for (std::size_t j = 0; j < 3; ++j) {
+            sum = sum + scale(triangle[j], DoubleDouble(double(weights[j])));
+            total = total + DoubleDouble(double(weights[j]));
+        }
+        return scale(sum, DoubleDouble(1) / total);
+    };
+    const auto words = [](const PlacedFace& face, std::size_t number, const std::array<long long, 3>& weights) {
+        std::string text = " " + std::to_string(face.number) + " 0 " + std::to_string(number) + " " + std::to_string(number + 1);
+        for (const long long weight : weights)
+            text += " " + std::to_string(weight);
+        return text;
+    };
+    const auto a = integers(own), b = integers(other);
+    const DoubleDouble distance = length(place(moving.triangle(i), a) - place(fixed.triangle(k), b));
+    take((piece_.reach() - distance).high(),
+         [&] { return "witness near " + hexadecimal(tau_) + words(moving, i, a) + words(fixed, k, b); });
+}
+
+} // namespace
+
+std::optional<std::string> witness_at(const PieceOfBodies& piece, double tau) {
+    return WitnessSearch(piece, tau).run();
+}
+
+namespace {
+
+/// How often a ray leaves through a face, less how often it enters; nothing if it passes too near to an edge. In
+/// double: what is not clear by far is no answer.
+std::optional<int> crossings(std::span<const Corner> outline, const Corner& from, const Corner& direction, double size) {
+    constexpr double clear = 1e-9;
+    int sum = 0;
+    for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+        const std::array<Corner, 3> triangle{outline[0], outline[k], outline[k + 1]};
+        int positive = 0, negative = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Corner &p = triangle[i], &q = triangle[(i + 1) % 3];
+            const Corner across = cross(direction, q - p);
+            const double height = dot(across, from - p);
+            if (!(std::abs(height) > clear * size * length(across)))
+                return std::nullopt;
+            ++(height > 0 ? positive : negative);
+        }
+        if (positive > 0 && negative > 0)
+            continue;
+        const Corner normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+        const double along = dot(normal, direction), ahead = dot(normal, triangle[0] - from);
+        if (!(std::abs(along) > clear * length(normal) * length(direction)))
+            return std::nullopt;
+        if ((ahead > 0) == (along > 0))
+            sum += along > 0 ? 1 : -1;
+    }
+    return sum;
+}
+
+using Outlines = std::vector<std::vector<Corner>>;
+
+std::optional<int> winding_of(const Outlines& faces, const Corner& from, const Corner& direction, double size) {
+    int sum = 0;
+    for (const std::vector<Corner>& face : faces) {
+        const std::optional<int> count = crossings(face, from, direction, size);
+        if (!count)
+            return std::nullopt;
+        sum += *count;
+    }
+    return sum;
+}
+
+} // namespace
+
+std::optional<Ray> ray_from(const PieceOfBodies& piece, bool from_moving, std::size_t face, std::size_t corner) {
+    const DoubleDouble start(0);
+    const FaceTree &own = from_moving ? piece.moving() : piece.fixed(), &other = from_moving ? piece.fixed() : piece.moving();
+    const auto place = [&](bool is_moving, const Corner& c) {
+        return is_moving ? motion::in_double(piece.polynomials().place(c, start)) : c;
+    };
+    Outlines faces;
+    for (std::size_t f = 0; f < other.body().face_count(); ++f) {
+        faces.emplace_back();
+        for (std::size_t c = 0; c < other.body().face(f).size(); ++c)
+            faces.back().push_back(place(!from_moving, other.corner(f, c)));
+    }
+    const Corner from = place(from_moving, own.corner(face, corner));
+    std::mt19937 random(1);
+    constexpr int most = 1000;
+    const auto component = [&] { return double(int(random() % (2 * most + 1)) - most); }; // the same with any library
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        const Corner integers{component(), component(), component()};
+        const Corner direction =
+            from_moving ? integers : motion::in_double(piece.polynomials().turned(widened(integers), start));
+        if (const std::optional<int> winding = winding_of(faces, from, direction, piece.size())) {
+            std::string words = from_moving ? "moving" : "fixed";
+            for (const std::size_t number : {face, corner})
+                words += " " + std::to_string(number);
+            for (int i = 0; i < 3; ++i)
+                words += " " + std::to_string(int(integers[i]));
+            return Ray{words, *winding};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace chasles::certificate

@@ -1,0 +1,86 @@
+"""Certificates of the package, checked by tools/verify.py, which shares nothing with it, and by chasles.verify."""
+import pathlib
+import sys
+
+import numpy as np
+import pytest
+
+import chasles
+
+TOOLS = pathlib.Path(__file__).parents[2] / "tools"
+if not (TOOLS / "verify.py").exists():
+    pytest.skip("the checker is in the folder tools of the project", allow_module_level=True)
+sys.path.insert(0, str(TOOLS))
+import verify  # noqa: E402
+
+
+def block(rng):
+    """A box with its corners moved: six of its faces are two triangles each."""
+    low, high = -rng.uniform(0.1, 1, 3), rng.uniform(0.1, 1, 3)
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    vertices = np.where(corners, high, low) + rng.uniform(-0.05, 0.05, (8, 3))
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    return vertices, [[q[i] for i in corner] for q in quads for corner in ((0, 1, 2), (0, 2, 3))]
+
+
+def pose(rng, size):
+    return [*rng.uniform(-size, size, 3), *rng.normal(size=4)]
+
+
+def write(path, vertices, faces):
+    rows = ["v " + " ".join(repr(float(x)) for x in v) for v in vertices]
+    path.write_text("\n".join(rows + ["f " + " ".join(str(i + 1) for i in face) for face in faces]) + "\n")
+    return str(path)
+
+
+def checked(moving, fixed, text, folder):
+    (folder / "a.cert").write_text(text)
+    return verify.main([moving, fixed, str(folder / "a.cert")])
+
+
+def test_random_answers_are_verified_by_both(tmp_path):
+    rng = np.random.default_rng(47)
+    count = {"clear": 0, "contact": 0, "contact_at_start": 0}
+    for _ in range(60):
+        a, b = block(rng), block(rng)
+        radii = rng.uniform(0, 0.2, 2) * rng.integers(0, 2)
+        files = write(tmp_path / "a.obj", *a), write(tmp_path / "b.obj", *b)
+        bodies = chasles.load(files[0], radius=radii[0]), chasles.load(files[1], radius=radii[1])
+        motion = chasles.ScrewMotion.between(pose(rng, 2), pose(rng, 2))
+        found = chasles.first_contact(*bodies, motion=motion, margin=rng.uniform(0, 0.2) * rng.integers(0, 2))
+        text = found.certificate()
+        status, answer = checked(*files, text, tmp_path)
+        assert status == 0, answer
+        said = answer.splitlines()[1]
+        assert {"clear": "clear", "contact": "contact in piece", "contact_at_start": "start"}[str(found.verdict)] in said
+        assert str(found.verdict).removeprefix("contact_at_") in chasles.verify(*bodies, motion, text)
+        count[str(found.verdict)] += 1
+    assert min(count.values()) > 5, count
+
+
+def test_what_is_about_something_else_is_refused(tmp_path):
+    rng = np.random.default_rng(48)
+    bodies = [chasles.Polyhedron(*block(rng)) for _ in range(2)]
+    motion = chasles.ScrewMotion.between([5, 0, 0], [3, 0, 0])
+    text = chasles.first_contact(*bodies, motion=motion).certificate()
+    assert "clear" in chasles.verify(*bodies, motion, text)
+    with pytest.raises(chasles.InvalidInput, match="about another motion"):
+        chasles.verify(*bodies, chasles.ScrewMotion.between([5, 0, 0], [2, 0, 0]), text)
+    with pytest.raises(chasles.InvalidInput, match="verify: .*hash"):
+        chasles.verify(*bodies[::-1], motion, text)
+    with pytest.raises(chasles.InvalidInput, match="verify: "):
+        chasles.verify(*bodies, motion, text.replace("P", "?", 1))
+    with pytest.raises(chasles.InvalidInput, match="only the motions that are the paper's screw"):
+        chasles.first_contact(*bodies, motion=chasles.ConstantVelocity.between([5, 0, 0], [3, 0, 1])).certificate()
+    with pytest.raises(chasles.InvalidInput, match="swapped"):
+        chasles.first_contact(*bodies, motion=motion).swapped().certificate()
+
+
+def test_a_touch_that_is_only_a_touch_is_said_not_to_be_proven():
+    cube = chasles.Polyhedron(
+        [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+        [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]],
+    )
+    found = chasles.first_contact(cube, cube, [-2, 0, 1, 1, 0, 0, 0], [2, 0, 1, 1, 0, 0, 0])
+    with pytest.raises(chasles.InvalidInput, match="certificate: not proven"):
+        found.certificate()
