@@ -29,7 +29,7 @@ int run_verify(const VerifyOptions& options) {
     if (!stream)
         throw InvalidInput(options.certificate + ": cannot be read");
     const ::certificate::Verified verified = ::certificate::verify(moving, fixed, stream);
-    print((verified.holds ? "verified " : "NOT VERIFIED: ") + verified.message + "\n");
+    print(verified.message + "\n");
     return verified.holds ? is_clear : is_contact;
 }
 

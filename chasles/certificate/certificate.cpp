@@ -154,7 +154,7 @@ private:
         const double tau = verdict_ == Verdict::contact_at_start ? 0 : found_.tau.upper;
         if (const auto words = witness_at(piece, tau))
             return *words + "\n";
-        miss("the contact: no edge was found that passes through a face, as where bodies only touch");
+        miss("the contact: no edge was found that passes through a convex face");
         return "";
     }
     std::string witness_inside(const PieceOfBodies& piece) {

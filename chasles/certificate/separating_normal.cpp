@@ -205,15 +205,37 @@ std::vector<Wide> axes_of(std::span<const Wide> first, std::span<const Wide> sec
     return axes;
 }
 
+/// Directions between nearest points where one of them is a corner and the other one is on a side, or a corner, too.
+std::vector<Wide> ways_between(std::span<const Wide> first, std::span<const Wide> second) {
+    std::vector<Wide> ways;
+    const auto add_ways = [&](std::span<const Wide> corners, std::span<const Wide> outline) {
+        for (const Wide& corner : corners)
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                const Wide apart = corner - outline[i], side = outline[(i + 1) % outline.size()] - outline[i];
+                ways.push_back(apart);
+                if (const DoubleDouble square = dot(side, side); square.high() > 0)
+                    ways.push_back(apart - scale(side, dot(apart, side) / square));
+            }
+    };
+    add_ways(first, second);
+    add_ways(second, first);
+    return ways;
+}
+
 struct Axis {
     double gap;
     Wide direction; ///< of unit length, from the second one to the first one
 };
 
-/// Along which two faces are apart, the greatest gap first.
-std::vector<Axis> gaps_of(std::span<const Wide> first, std::span<const Wide> second) {
+/// Along which two faces are apart, the greatest gap first. It is their distance if the ways between them are looked at.
+std::vector<Axis> gaps_of(std::span<const Wide> first, std::span<const Wide> second, bool with_ways) {
+    std::vector<Wide> axes = axes_of(first, second);
+    if (with_ways) {
+        const std::vector<Wide> ways = ways_between(first, second);
+        axes.insert(axes.end(), ways.begin(), ways.end());
+    }
     std::vector<Axis> gaps;
-    for (const Wide& axis : axes_of(first, second)) {
+    for (const Wide& axis : axes) {
         const DoubleDouble size = length(axis);
         if (!(size.high() > 0))
             continue;
@@ -246,7 +268,7 @@ std::optional<IntegerNormal> PieceOfBodies::by_features(const Node& a, const Nod
         for (std::size_t i = 0; i < moving_.body().face(face).size(); ++i)
             first.push_back(refined_.place(moving_.corner(face, i), tau));
         std::size_t tries = 0;
-        for (const Axis& axis : gaps_of(first, second)) {
+        for (const Axis& axis : gaps_of(first, second, reach_ > DoubleDouble(0))) {
             const double gap = (DoubleDouble(axis.gap) - reach_).high();
             if (!(gap > refined_rounding * size_) || tries++ == 4)
                 break;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <span>
 #include <vector>
@@ -57,6 +58,8 @@ double depth_of(const Wide& from, const Wide& to, const Triangle& triangle) {
     };
     const Wide normal = cross(b - a, c - a);
     const double first = height(normal, from - a), second = height(normal, to - a);
+    if (std::max(std::abs(first), std::abs(second)) <= unknown * length(to - from).high())
+        return -std::numeric_limits<double>::infinity(); // in the plane
     double depth = first > second ? std::min(first, -second) : std::min(-first, second);
     const double sense = first > second ? 1 : -1; // of the edge, against the normal
     for (std::size_t i = 0; i < 3; ++i) {
@@ -106,12 +109,10 @@ private:
         return result;
     }
     void look_at(const PlacedFace& moving, const PlacedFace& fixed) {
-        if (piece_.reach() > DoubleDouble(0)) {
+        look_for_crossings(moving, fixed);
+        look_for_crossings(fixed, moving);
+        if (piece_.reach() > DoubleDouble(0))
             look_for_near_points(moving, fixed);
-        } else {
-            look_for_crossings(moving, fixed);
-            look_for_crossings(fixed, moving);
-        }
     }
     void look_for_crossings(const PlacedFace& edges, const PlacedFace& face) {
         if (!face.is_convex())
@@ -239,6 +240,14 @@ std::optional<std::string> witness_at(const PieceOfBodies& piece, double tau) {
 
 namespace {
 
+/// Whether a ray comes near to an edge, within a distance that is far more than rounding.
+bool passes_near(const Corner& from, const Corner& direction, const Corner& p, const Corner& q, double distance) {
+    const Corner unit = scale(direction, 1 / length(direction));
+    const double most = length(p - from) + length(q - from); // no point of the edge is farther along the ray
+    const auto [s, t] = shares_of_segments(from, scale(unit, most), p, q - p);
+    return !(length(from + scale(unit, s * most) - (p + scale(q - p, t))) > distance);
+}
+
 /// How often a ray leaves through a face, less how often it enters; nothing if it passes too near to an edge. In
 /// double: what is not clear by far is no answer.
 std::optional<int> crossings(std::span<const Corner> outline, const Corner& from, const Corner& direction, double size) {
@@ -251,9 +260,12 @@ std::optional<int> crossings(std::span<const Corner> outline, const Corner& from
             const Corner &p = triangle[i], &q = triangle[(i + 1) % 3];
             const Corner across = cross(direction, q - p);
             const double height = dot(across, from - p);
-            if (!(std::abs(height) > clear * size * length(across)))
+            if (std::abs(height) > clear * size * length(across))
+                ++(height > 0 ? positive : negative);
+            else if (passes_near(from, direction, p, q, 1e3 * clear * size))
                 return std::nullopt;
-            ++(height > 0 ? positive : negative);
+            else // it meets the line of the edge, if at all, beside the edge
+                ++positive, ++negative;
         }
         if (positive > 0 && negative > 0)
             continue;

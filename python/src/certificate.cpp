@@ -54,7 +54,7 @@ std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const
     std::istringstream stream(text);
     const ::certificate::Verified verified = ::certificate::verify(mesh_of(moving_body), mesh_of(fixed_body), stream);
     if (!verified.holds)
-        throw InvalidInput("verify: " + verified.message);
+        throw InvalidInput(verified.message);
     return verified.message;
 }
 

@@ -58,9 +58,12 @@ protected:
         PolyhedronOptions options;
         options.radius = radius;
         options.solid = random_.chance(0.3) ? Solid::no : Solid::automatic;
-        const Body body = random_.chance(0.5)
-                              ? random_octahedron(shapes_)
-                              : box({random_.uniform(0.1, 1), random_.uniform(0.1, 1), random_.uniform(0.1, 1)});
+        Body body = random_.chance(0.5)
+                        ? random_octahedron(shapes_)
+                        : box({random_.uniform(0.1, 1), random_.uniform(0.1, 1), random_.uniform(0.1, 1)});
+        const double size = random_.chance(0.3) ? 0.1 : random_.chance(0.3) ? 3 : 1;
+        for (Eigen::Vector3d& vertex : body.vertices)
+            vertex *= size;
         return Polyhedron::from_polygons(body.vertices, body.faces, options);
     }
     [[nodiscard]] FirstContactQuery random_query() {
@@ -78,11 +81,11 @@ protected:
 TEST_F(Certificates, OfRandomQuestionsAreVerified) {
     std::map<Verdict, int> count;
     int inside = 0;
-    for (int round = 0; round < 600; ++round) {
+    for (int round = 0; round < 800; ++round) {
         const FirstContactQuery query = random_query();
         const FirstContact found = first_contact(query);
         const Certificate proof = certify(query);
-        ASSERT_EQ(proof.missing, "") << round;
+        ASSERT_EQ(proof.missing, "") << round << "\n" << proof.text;
         EXPECT_NE(proof.text.find(word_of(found.verdict)), std::string::npos) << round;
         const ::certificate::Verified verified = checked(query.moving, query.fixed, proof.text);
         ASSERT_TRUE(verified.holds) << round << ": " << verified.message << "\n" << proof.text;
@@ -91,36 +94,36 @@ TEST_F(Certificates, OfRandomQuestionsAreVerified) {
         inside += proof.text.find("witness inside") != std::string::npos;
     }
     EXPECT_GT(count[Verdict::clear], 100);
-    EXPECT_GT(count[Verdict::contact], 100);
-    EXPECT_GT(count[Verdict::contact_at_start], 100);
+    EXPECT_GT(count[Verdict::contact], 80);
+    EXPECT_GT(count[Verdict::contact_at_start], 80);
     EXPECT_GT(inside, 5);
 }
 
-/// One digit of a number changes, a line goes, or two lines change places: nothing that proves less is accepted. What
-/// is accepted claims the same, by another plane or another order.
-TEST_F(Certificates, ThatAreAlteredProveNothingElse) {
-    int refused = 0, tried = 0;
+/// Every line is needed: the head, orders, rays, planes, and the witness. (A division and one of its planes may go
+/// together, if the other plane keeps both parts apart.)
+TEST_F(Certificates, WithoutOneOfTheirLinesAreRefused) {
+    int tried = 0;
     for (int round = 0; round < 60; ++round) {
         const FirstContactQuery query = random_query();
         const std::string text = certify(query).text;
-        const std::string head = text.substr(0, text.find("order "));
-        for (int change = 0; change < 20; ++change) {
-            std::string altered = text;
-            const std::size_t at = std::size_t(random_.uniform(0, double(text.size()))) % text.size();
-            altered[at] = "0123456789abcdefPTAB?- \n"[std::size_t(random_.uniform(0, 24)) % 24];
-            const ::certificate::Verified verified = checked(query.moving, query.fixed, altered);
+        std::vector<std::size_t> begins{0};
+        while (begins.back() < text.size())
+            begins.push_back(text.find('\n', begins.back()) + 1);
+        const std::size_t step = 1 + begins.size() / 20;
+        for (std::size_t i = round % step; i + 1 < begins.size(); i += step) {
+            if (std::string("TAB").find(text[begins[i]]) != std::string::npos)
+                continue;
             ++tried;
-            refused += !verified.holds;
-            if (verified.holds && altered.substr(0, head.size()) != head)
-                EXPECT_EQ(checked(query.moving, query.fixed, text).message, verified.message) << altered;
+            const std::string without = text.substr(0, begins[i]) + text.substr(begins[i + 1]);
+            EXPECT_FALSE(checked(query.moving, query.fixed, without).holds) << text.substr(begins[i], 20) << " of\n" << text;
         }
     }
-    EXPECT_GT(refused, tried / 2);
+    EXPECT_GT(tried, 500);
 }
 
 TEST_F(Certificates, WrongClaimsAreRefused) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
-    const Pose start(Eigen::Vector3d(3, 0, 0)), near(Eigen::Vector3d(1.25, 0, 0)), through(Eigen::Vector3d(0.2, 0.1, 0));
+    const Pose start = shifted(3, 0, 0), near = shifted(1.25, 0, 0), through = shifted(0.2, 0.1, 0);
     const auto text_of = [&](const Pose& goal, double margin) {
         FirstContactQuery query{cube, cube, ScrewMotion::between(start, goal)};
         query.options.margin = margin;
@@ -132,7 +135,7 @@ TEST_F(Certificates, WrongClaimsAreRefused) {
         return text.replace(text.find(from), from.size(), to);
     };
     const std::string clear = text_of(near, 0.125), contact = text_of(through, 0);
-    ASSERT_TRUE(holds(clear));
+    ASSERT_EQ(checked(cube, cube, clear).message.substr(0, 15), "verified: clear") << clear;
     ASSERT_TRUE(holds(contact));
     EXPECT_FALSE(holds(with(clear, "margin 0x1p-3", "margin 0x1p-2"))); // the gap is 0.25
     EXPECT_TRUE(holds(with(clear, "margin 0x1p-3", "margin 0x0p+0")));  // a weaker claim
@@ -142,17 +145,30 @@ TEST_F(Certificates, WrongClaimsAreRefused) {
     EXPECT_FALSE(is_about(clear, ScrewMotion::between(start, through)));
 }
 
-TEST_F(Certificates, OfWhatOnlyTouchesSayWhatIsMissing) {
+/// A cube slides over another one, and reaches its rim.
+TEST_F(Certificates, OfFacesInOnePlaneAreVerified) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
-    const Certificate graze =
-        certify({cube, cube, ScrewMotion::between(Pose(Eigen::Vector3d(-2, 0, 1)), Pose(Eigen::Vector3d(2, 0, 1)))});
-    EXPECT_NE(graze.missing.find("not proven"), std::string::npos);
-    EXPECT_FALSE(checked(cube, cube, graze.text).holds);
+    for (const double gap : {0.0, 0x1p-50, 0x1p-20}) {
+        const FirstContactQuery query{cube, cube, ScrewMotion::between(shifted(-2, 0.25, 1 + gap), shifted(2, 0.25, 1 + gap))};
+        const Certificate proof = certify(query);
+        EXPECT_EQ(proof.missing, "");
+        EXPECT_NE(proof.text.find(gap > 0 ? "verdict clear" : "verdict contact"), std::string::npos);
+        EXPECT_EQ(checked(cube, cube, proof.text).message.substr(0, 9), "verified:") << checked(cube, cube, proof.text).message << proof.text;
+    }
+}
+
+/// A face that is not convex is no witness.
+TEST_F(Certificates, SayWhatIsMissing) {
+    Body corner{{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 3, 4, 5}}};
+    const Polyhedron plate = corner.polyhedron(), tip = triangle({0, 0, 0}, {0.1, 0, 1}, {0, 0.1, 1}).polyhedron();
+    const Certificate proof = certify({tip, plate, ScrewMotion::between(shifted(2, 0.5, 1), shifted(2, 0.5, -0.5))});
+    EXPECT_EQ(proof.missing, "not proven: the contact: no edge was found that passes through a convex face");
+    EXPECT_FALSE(checked(tip, plate, proof.text).holds);
 }
 
 TEST_F(Certificates, RefuseWhatTheyCannotSay) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
-    const Pose start(Eigen::Vector3d(3, 0, 0)), goal(Eigen::Vector3d(2, 0, 0));
+    const Pose start = shifted(3, 0, 0), goal = shifted(2, 0, 0);
     const auto why = [](const FirstContactQuery& query) {
         return refusal([&] { static_cast<void>(certify(query)); });
     };

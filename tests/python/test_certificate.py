@@ -58,6 +58,28 @@ def test_random_answers_are_verified_by_both(tmp_path):
     assert min(count.values()) > 5, count
 
 
+def test_both_checkers_agree_on_what_is_altered(tmp_path):
+    rng = np.random.default_rng(49)
+    a, b = block(rng), block(rng)
+    files = write(tmp_path / "a.obj", *a), write(tmp_path / "b.obj", *b)
+    bodies = [chasles.load(file) for file in files]
+    motion = chasles.ScrewMotion.between([3, 0.1, 0.2], [0.3, 0, 0, 0.9, 0.1, 0.3, 0])
+    text = chasles.first_contact(*bodies, motion=motion).certificate()
+    accepted = 0
+    for _ in range(400):
+        at = rng.integers(text.index("solid"), len(text))
+        altered = text[:at] + rng.choice(list("0123456789-PTAB \n")) + text[at + 1 :]
+        status, answer = checked(*files, altered, tmp_path)
+        try:
+            chasles.verify(*bodies, motion, altered)
+            holds = True
+        except chasles.InvalidInput as refusal:
+            holds = "another motion" in str(refusal) and status == 0  # a pose that changed within what is still clear
+        assert holds == (status == 0), answer
+        accepted += holds
+    assert 0 < accepted < 200
+
+
 def test_what_is_about_something_else_is_refused(tmp_path):
     rng = np.random.default_rng(48)
     bodies = [chasles.Polyhedron(*block(rng)) for _ in range(2)]
@@ -66,9 +88,9 @@ def test_what_is_about_something_else_is_refused(tmp_path):
     assert "clear" in chasles.verify(*bodies, motion, text)
     with pytest.raises(chasles.InvalidInput, match="about another motion"):
         chasles.verify(*bodies, chasles.ScrewMotion.between([5, 0, 0], [2, 0, 0]), text)
-    with pytest.raises(chasles.InvalidInput, match="verify: .*hash"):
+    with pytest.raises(chasles.InvalidInput, match="not verified: .*hash"):
         chasles.verify(*bodies[::-1], motion, text)
-    with pytest.raises(chasles.InvalidInput, match="verify: "):
+    with pytest.raises(chasles.InvalidInput, match="not verified: "):
         chasles.verify(*bodies, motion, text.replace("P", "?", 1))
     with pytest.raises(chasles.InvalidInput, match="only the motions that are the paper's screw"):
         chasles.first_contact(*bodies, motion=chasles.ConstantVelocity.between([5, 0, 0], [3, 0, 1])).certificate()
