@@ -24,6 +24,16 @@ def box(lower: Array, upper: Array) -> Polyhedron:
     return Polyhedron(np.where(corners, upper, lower), _BOX_FACES)
 
 
+def slab(normal: Array, height: float, size: float) -> Polyhedron:
+    """All points within `size` below the plane normal * x = height, sideways and down, as a box."""
+    up = np.asarray(normal) / np.linalg.norm(normal)
+    first = np.cross(np.eye(3)[np.argmin(np.abs(up))], up)
+    first /= np.linalg.norm(first)
+    turned = np.stack([first, np.cross(up, first), up])
+    corners = np.array([[x, y, z] for x in (-size, size) for y in (-size, size) for z in (height - size, height)])
+    return Polyhedron(corners @ turned, _BOX_FACES)
+
+
 def prism(radius: float, half: float, deviation: float, inner: bool = False) -> Mesh:
     """A regular prism around or inside of a cylinder about z."""
     sides = max(8, math.ceil(math.pi / math.acos(1 / (1 + deviation))))
