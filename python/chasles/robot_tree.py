@@ -108,6 +108,15 @@ class Tree:
             name=name, links=self.links, joints=self.joints, disabled_pairs=self.disabled, warnings=self.warnings
         )
 
+    def variables(self) -> list[str]:
+        """The names that the robot gives its variables."""
+        parts = {
+            "planar": ("/x", "/y", "/theta"),
+            "floating": ("/trans_x", "/trans_y", "/trans_z", "/rot_x", "/rot_y", "/rot_z", "/rot_w"),
+        }
+        moving = [joint for joint in self.joints if joint["type"] != "fixed" and "mimic" not in joint]
+        return [joint["name"] + part for joint in moving for part in parts.get(joint["type"], ("",))]
+
     def values_of(self, configurations: npt.ArrayLike, size: int) -> Array:
         """Configurations (size,) or (n, size) of the platform as those of the robot."""
         _core._refuse_masked(configurations, "q")
