@@ -163,6 +163,9 @@ def joint_path(
     coefficients = np.zeros((*given.shape[:2], len(every)))
     coefficients[-1] = _positions_of(plant, rest, "rest") if rest is not None else _default_positions(plant)
     coefficients[:, :, rows] = given
+    resting = coefficients[:, :, sorted(set(every.tolist()) - set(tree.columns))]  # type: ignore[arg-type]
+    if np.abs(resting[:-1]).max(initial=0) > 1e-9 or np.abs(np.diff(resting[-1], axis=0)).max(initial=0) > 1e-9:
+        raise InvalidInput("trajectory: moves a free body that rests in the robot: make the robot without `rest`")
     return JointPath.polynomials(robot, breaks, coefficients[:, :, np.array(tree.columns, np.int64)])
 
 

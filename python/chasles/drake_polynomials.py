@@ -20,7 +20,10 @@ def polynomials_of(trajectory: Any) -> Pieces:
         parts = [polynomials_of(trajectory.segment(i)) for i in range(trajectory.get_number_of_segments())]
         return _joined(parts)
     if not isinstance(trajectory, dt.PiecewisePolynomial | dt.BsplineTrajectory | dt.BezierCurve):
-        raise InvalidInput(f"trajectory: {with_article(trajectory)} is no piecewise polynomial, B-spline, Bezier curve or composite of them{_way_out(trajectory)}")
+        what = "no piecewise polynomial, B-spline, Bezier curve or composite of them"
+        raise InvalidInput(f"trajectory: {with_article(trajectory)} is {what}{_way_out(trajectory)}")
+    if isinstance(trajectory, dt.PiecewisePolynomial) and not trajectory.get_number_of_segments():
+        raise InvalidInput("trajectory: is empty")
     if trajectory.cols() != 1:
         raise InvalidInput(f"trajectory: has {trajectory.cols()} columns, and one is needed")
     if isinstance(trajectory, dt.PiecewisePolynomial):
@@ -42,8 +45,6 @@ def _way_out(trajectory: Any) -> str:
 def _of_piecewise(trajectory: dt.PiecewisePolynomial) -> Pieces:
     breaks = np.array(trajectory.get_segment_times())
     count, rows = len(breaks) - 1, trajectory.rows()
-    if count < 1:
-        raise InvalidInput("trajectory: is empty")
     given = [[trajectory.getPolynomial(s, i, 0).GetCoefficients() for i in range(rows)] for s in range(count)]
     powers = max(len(numbers) for row in given for numbers in row)
     coefficients = np.zeros((powers, count, rows))

@@ -243,9 +243,11 @@ def _plain_body_of(shape: Any, deviation: float, plane_size: float) -> tuple[Pol
 
 def _mesh_of(shape: Any) -> Mesh:
     if isinstance(shape, coal.BVHModelBase) and shape.num_tris:
-        return np.array(shape.vertices()), [list(map(int, shape.tri_indices(i))) for i in range(shape.num_tris)]
+        return np.array(shape.vertices()), [_corners(shape.tri_indices(i)) for i in range(shape.num_tris)]
     if isinstance(shape, coal.Convex):
-        return np.array(shape.points()), [list(map(int, shape.polygons(i))) for i in range(shape.num_polygons)]
-    if isinstance(shape, coal.TriangleP):
-        return np.array([shape.a, shape.b, shape.c]), [[0, 1, 2]]
+        return np.array(shape.points()), [_corners(shape.polygons(i)) for i in range(shape.num_polygons)]
     raise InvalidInput(f"{with_article(shape)} has no polyhedron")
+
+
+def _corners(triangle: Any) -> list[int]:
+    return [int(triangle[i]) for i in range(3)]  # it does not end where one iterates over it
