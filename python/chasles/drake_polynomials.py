@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Any
 
@@ -65,15 +66,16 @@ def _of_spline(knots: list[float], points: Array) -> Pieces:
     """A B-spline by its knots and control points (n, rows). A Bezier curve is one without knots between its ends."""
     degree = len(knots) - len(points) - 1
     exact = [Fraction(knot) for knot in knots]
-    values = [[Fraction(number) for number in point] for point in points.tolist()]
+    unit = max(Fraction(number).denominator for number in points.ravel().tolist())
+    values = np.array([[int(Fraction(number) * unit) for number in point] for point in points.tolist()], object)
     spans = [k for k in range(degree, len(points)) if exact[k] < exact[k + 1]]
     coefficients = np.zeros((degree + 1, len(spans), points.shape[1]))
     for s, k in enumerate(spans):
         basis = _basis_on(exact, k, degree)
-        for power in range(degree + 1):
-            for row in range(points.shape[1]):
-                total = sum(basis[j][power] * values[k - degree + j][row] for j in range(degree + 1))
-                coefficients[degree - power, s, row] = float(total)
+        shared = math.lcm(*(number.denominator for polynomial in basis for number in polynomial))
+        integers = np.array([[int(number * shared) for number in polynomial] for polynomial in basis], object)
+        # A quotient of integers is rounded once.
+        coefficients[::-1, s] = (integers.T @ values[k - degree : k + 1]) / (shared * unit)
     return np.array([knots[k] for k in spans] + [knots[len(points)]]), coefficients
 
 
