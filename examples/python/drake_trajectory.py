@@ -32,7 +32,9 @@ plant.Finalize()
 diagram = builder.Build()
 
 basis = BsplineBasis(4, 6, KnotVectorType.kClampedUniform, 0.0, 2.0)  # cubic
-points = [np.array([[shoulder], [elbow]]) for shoulder, elbow in ((-0.6, 0.1), (-0.5, 0), (0.2, -0.1), (1, 0), (1.7, 0.1), (1.8, 0))]
+points = [
+    np.array([[shoulder], [elbow]]) for shoulder, elbow in ((-0.6, 0.1), (-0.5, 0), (0.2, -0.1), (1, 0), (1.7, 0.1), (1.8, 0))
+]
 trajectory = BsplineTrajectory(basis, points)
 
 # %% [markdown]

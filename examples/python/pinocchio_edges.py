@@ -26,7 +26,9 @@ def add(parent: int, joint: pin.JointModel, place: list[float], name: str, shape
 base = add(0, pin.JointModelRZ(), [0, 0, 0.4], "base", coal.Capsule(0.04, 0.5))
 shoulder = add(base, pin.JointModelRY(), [0.55, 0, 0], "shoulder", coal.Capsule(0.03, 0.45))
 wrist = add(shoulder, pin.JointModelRUBX(), [0.5, 0, 0], "wrist", coal.Cylinder(0.02, 0.1))
-geometry.addGeometryObject(pin.GeometryObject("rod", 0, pin.SE3(np.eye(3), np.array([0.7, 0.42, 0.3])), coal.Cylinder(0.0015, 0.6)))
+geometry.addGeometryObject(
+    pin.GeometryObject("rod", 0, pin.SE3(np.eye(3), np.array([0.7, 0.42, 0.3])), coal.Cylinder(0.0015, 0.6))
+)
 geometry.addGeometryObject(pin.GeometryObject("floor", 0, pin.SE3(np.eye(3), np.array([0.5, 0, -0.01])), coal.Box(1.2, 2, 0.02)))
 geometry.addAllCollisionPairs()
 for joint, parent in ((1, 0), (2, 1)):  # neighbours touch by design

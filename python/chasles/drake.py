@@ -163,7 +163,7 @@ def joint_path(
     coefficients = np.zeros((*given.shape[:2], len(every)))
     coefficients[-1] = _positions_of(plant, rest, "rest") if rest is not None else _default_positions(plant)
     coefficients[:, :, rows] = given
-    resting = coefficients[:, :, sorted(set(every.tolist()) - set(tree.columns))]  # type: ignore[arg-type]
+    resting = coefficients[:, :, sorted(set(every.tolist()) - set(tree.columns))]
     if np.abs(resting[:-1]).max(initial=0) > 1e-9 or np.abs(np.diff(resting[-1], axis=0)).max(initial=0) > 1e-9:
         raise InvalidInput("trajectory: moves a free body that rests in the robot: make the robot without `rest`")
     return JointPath.polynomials(robot, breaks, coefficients[:, :, np.array(tree.columns, np.int64)])
@@ -234,5 +234,7 @@ def _default_positions(plant: MultibodyPlant) -> Array:
 def _positions_of(plant: MultibodyPlant, q: npt.ArrayLike, name: str) -> Array:
     result = np.asarray(q, np.float64)
     if result.shape != (plant.num_positions(),) or not np.isfinite(result).all():
-        raise InvalidInput(f"{name}: {plant.num_positions()} finite positions are needed, and the shape is {result.shape}")
+        raise InvalidInput(
+            f"{name}: {plant.num_positions()} finite positions are needed, and the shape is {result.shape}"
+        )
     return result

@@ -6,10 +6,9 @@ import math
 from typing import Any
 
 import numpy as np
+from pydrake.common.eigen_geometry import Quaternion
 from pydrake.math import RigidTransform
 from pydrake.multibody.plant import MultibodyPlant
-from pydrake.multibody.tree import JointIndex
-from pydrake.common.eigen_geometry import Quaternion
 
 from ._core import InvalidInput
 from .primitive_shapes import Array
@@ -30,9 +29,9 @@ def _scoped(plant: MultibodyPlant, instance: Any, name: str) -> str:
 def tree_of(plant: MultibodyPlant, rest: Array | None) -> Tree:
     """With `rest`, free bodies stand still where they are at these positions."""
     tree = Tree(name_of_body(plant, plant.world_body()))
-    moved = {tree.links[0]["name"]}
+    moved, no_steps = {tree.links[0]["name"]}, list[Step]()
     for index in plant.GetJointIndices():
-        joint = plant.get_joint(JointIndex(index))
+        joint: Any = plant.get_joint(index)
         name = _scoped(plant, joint.model_instance(), joint.name())
         ends = name_of_body(plant, joint.parent_body()), name_of_body(plant, joint.child_body())
         if ends[1] in moved:
@@ -43,14 +42,16 @@ def tree_of(plant: MultibodyPlant, rest: Array | None) -> Tree:
         begin = joint.frame_on_parent().GetFixedPoseInBodyFrame()
         end = joint.frame_on_child().GetFixedPoseInBodyFrame().inverse()
         if joint.type_name() == "weld":
-            begin, steps = begin @ joint.X_FM(), []
+            begin, steps = begin @ joint.X_FM(), no_steps
         elif joint.type_name() == "quaternion_floating" and rest is not None:
-            begin, steps = begin @ _free_pose(rest[joint.position_start() :]), []
+            begin, steps = begin @ _free_pose(rest[joint.position_start() :]), no_steps
         else:
             steps = _steps(plant, joint, name)
         tree.add_chain(name, ends, steps, begin.GetAsMatrix4(), end.GetAsMatrix4())
     if plant.num_constraints():
-        tree.warnings.append(f"{plant.num_constraints()} constraints of the plant are not read: give positions that obey them")
+        tree.warnings.append(
+            f"{plant.num_constraints()} constraints of the plant are not read: give positions that obey them"
+        )
     return tree
 
 

@@ -47,6 +47,8 @@ def _faces_of(shape: dg.Mesh) -> Polyhedron:
     """Other formats may have a unit or an upward axis of their own, so only OBJ is read."""
     source = shape.source()
     if not source.is_path() or shape.extension().lower() != ".obj":
-        raise InvalidInput("only meshes of OBJ files can be read with meshes='mesh'; meshes='hull' takes its convex hull")
+        raise InvalidInput(
+            "only meshes of OBJ files can be read with meshes='mesh'; meshes='hull' takes its convex hull"
+        )
     body = load(source.path())
     return Polyhedron(body.vertices * shape.scale3(), body.faces)

@@ -113,7 +113,9 @@ def _tree_of(model: pin.Model) -> Tree:
     for joint in range(1, model.njoints):
         name, parent = model.names[joint], model.names[model.parents[joint]]
         try:
-            steps = _mimic(model, joint) if _kind(model.joints[joint]) == "Mimic" else _steps(model, model.joints[joint])
+            steps = (
+                _mimic(model, joint) if _kind(model.joints[joint]) == "Mimic" else _steps(model, model.joints[joint])
+            )
         except InvalidInput as error:
             raise InvalidInput(f"joint {name!r}: {error}") from None
         tree.add_chain(name, (parent, name), steps, model.jointPlacements[joint].homogeneous)
@@ -210,7 +212,9 @@ def _pairs_of(
     for name in sorted(set(leave_out) - {item.name for item in objects}):
         raise InvalidInput(f"leave_out: {name!r}: there is no such geometry object")
     if not len(geometry_model.collisionPairs):
-        raise InvalidInput("geometry_model: has no collision pairs, so nothing would be tested: addAllCollisionPairs adds them")
+        raise InvalidInput(
+            "geometry_model: has no collision pairs, so nothing would be tested: addAllCollisionPairs adds them"
+        )
     is_used = [not item.disableCollision and item.name not in leave_out for item in objects]
     pairs = [(int(pair.first), int(pair.second)) for pair in geometry_model.collisionPairs]
     return [(a, b) for a, b in pairs if is_used[a] and is_used[b]]

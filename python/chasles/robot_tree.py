@@ -30,20 +30,20 @@ class Step:
     suffix: str  #: of its name, where a chain has several steps
     type: str
     columns: Sequence[Column]
-    axis: Sequence[float] = (1.0, 0.0, 0.0)
+    axis: Any = (1.0, 0.0, 0.0)  #: three numbers
     options: dict[str, Any] = field(default_factory=dict)  #: origin, lower, upper, mimic: as for Robot
     follows: float | None = None  #: the multiplier of a step that follows the one before
 
 
-def turn(suffix: str, axis: Sequence[float], column: Column, **options: Any) -> Step:
+def turn(suffix: str, axis: Any, column: Column, **options: Any) -> Step:
     return Step(suffix, "revolute", [column], axis, options)
 
 
-def slide(suffix: str, axis: Sequence[float], column: Column, **options: Any) -> Step:
+def slide(suffix: str, axis: Any, column: Column, **options: Any) -> Step:
     return Step(suffix, "prismatic", [column], axis, options)
 
 
-def screw(axis: Sequence[float], pitch: float, column: Column, **options: Any) -> list[Step]:
+def screw(axis: Any, pitch: float, column: Column, **options: Any) -> list[Step]:
     """A turn, and a slide by `pitch` per radian that follows it."""
     return [turn("turn", axis, column, **options), Step("slide", "prismatic", [], axis, follows=pitch)]
 
@@ -93,9 +93,7 @@ class Tree:
     def add_geometry(self, name: str, link: str, body: Polyhedron, pose: Array, deviation: float) -> None:
         self.geometries.append(name)
         self.links.append({"name": name, "collisions": [{"shape": body, "deviation": deviation}]})
-        self.joints.append(
-            {"name": f"geometry {name}", "type": "fixed", "parent": link, "child": name, "origin": pose}
-        )
+        self.joints.append({"name": f"geometry {name}", "type": "fixed", "parent": link, "child": name, "origin": pose})
 
     def disable_all_but(self, tested: Collection[frozenset[str]], reason: str) -> None:
         """Pairs of geometries are tested if the platform tests them."""

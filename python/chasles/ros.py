@@ -60,7 +60,9 @@ def trajectories(file: str | os.PathLike[str], topics: Collection[str] | None = 
     is_text = path.suffix.lower() in (".yaml", ".yml", ".json")
     found = list(_documents(path)) if is_text else list(_messages(path, topics))
     if not found:
-        raise InvalidInput(f"{path}: has no trajectory" + ("" if topics is None else f" on {', '.join(sorted(topics))}"))
+        raise InvalidInput(
+            f"{path}: has no trajectory" + ("" if topics is None else f" on {', '.join(sorted(topics))}")
+        )
     return found
 
 
@@ -88,7 +90,11 @@ def _messages(path: pathlib.Path, topics: Collection[str] | None) -> Iterator[Re
         raise InvalidInput(f"topics: {topics!r} is one text; a collection of names is needed")
     try:
         with AnyReader([path], default_typestore=get_typestore(Stores.LATEST)) as reader:
-            chosen = [c for c in reader.connections if (c.msgtype.rpartition("/")[2] in _TYPES if topics is None else c.topic in topics)]
+            chosen = [
+                c
+                for c in reader.connections
+                if (c.msgtype.rpartition("/")[2] in _TYPES if topics is None else c.topic in topics)
+            ]
             for connection, stamp, raw in reader.messages(chosen) if chosen else ():
                 yield Recorded(connection.topic, stamp / 1e9, reader.deserialize(raw, connection.msgtype))
     except Exception as error:  # rosbags has no common type of errors

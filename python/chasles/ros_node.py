@@ -72,7 +72,9 @@ class Validator:
         self._answers.publish(self._text(data=json.dumps(answer)))
         if self._forward is not None and answer["verdict"] == "clear":
             self._forward.publish(message)
-        self.node.get_logger().info(f"trajectory: {answer['verdict']} {answer.get('pair') or answer.get('error') or ''}")
+        self.node.get_logger().info(
+            f"trajectory: {answer['verdict']} {answer.get('pair') or answer.get('error') or ''}"
+        )
 
     def validate(self, message: Any) -> dict[str, Any]:
         """The answer to one trajectory, as it is published. A trajectory that cannot be used has the verdict "error"."""
@@ -85,9 +87,13 @@ class Validator:
         except InvalidInput as error:
             return answer | {"verdict": "error", "error": str(error)}
         answer |= {"verdict": str(found.verdict), "clear_until": found.clear_until}
-        if found.verdict in ("contact", "contact_at_start"):
+        if found.pair is not None and found.verdict in ("contact", "contact_at_start"):
             answer |= {"pair": list(found.pair), "time": found.time, "time_upper": found.time_upper}
-            answer |= {"certain": found.certain, "segment": found.segment, "configuration": found.configuration.tolist()}
+            answer |= {
+                "certain": found.certain,
+                "segment": found.segment,
+                "configuration": found.configuration.tolist(),
+            }
             answer["contacts"] = [{"point": c.point.tolist(), "normal": c.normal.tolist()} for c in found.contacts]
         return answer
 
@@ -100,16 +106,22 @@ class Validator:
         variables = self.checker.robot.variables
         missing = [name for name in variables if name not in self.values]
         if missing:
-            raise InvalidInput(f"states: no message has named {missing[0]!r} yet, so the way to the first point is not known")
+            raise InvalidInput(
+                f"states: no message has named {missing[0]!r} yet, so the way to the first point is not known"
+            )
         return np.array([self.values[name] for name in variables])
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """The node as a program: `python -m chasles.ros --urdf robot.urdf`."""
-    parser = argparse.ArgumentParser(prog="python -m chasles.ros", description="Proves trajectories before the robot moves.")
+    parser = argparse.ArgumentParser(
+        prog="python -m chasles.ros", description="Proves trajectories before the robot moves."
+    )
     parser.add_argument("--urdf", required=True, help="the robot")
     parser.add_argument("--srdf", help="pairs of links that are not tested")
-    parser.add_argument("--package", action="append", default=[], metavar="NAME=FOLDER", help="of package:// in the URDF")
+    parser.add_argument(
+        "--package", action="append", default=[], metavar="NAME=FOLDER", help="of package:// in the URDF"
+    )
     parser.add_argument("--scene", help="a mesh file of the world, in its frame")
     parser.add_argument("--margin", type=float, default=0.0, help="distance that counts as contact, m")
     parser.add_argument("--seconds", type=float, default=1.0, help="for each trajectory")

@@ -49,9 +49,13 @@ def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None
         times.insert(0, 0.0)
         points.insert(0, (0.0, _begin(robot, np.asarray(start, np.float64)[columns], points[0][1], columns)))
     elif start is not None and points and not np.array_equal(np.asarray(start)[columns], points[0][1][0]):
-        raise InvalidInput("points: point 0: is due at once, and is not where the robot starts: give it a later time_from_start")
+        raise InvalidInput(
+            "points: point 0: is due at once, and is not where the robot starts: give it a later time_from_start"
+        )
     if len(points) < 2:
-        raise InvalidInput(f"points: a path needs at least two, and there are {len(points)}; start is the state before them")
+        raise InvalidInput(
+            f"points: a path needs at least two, and there are {len(points)}; start is the state before them"
+        )
     rest = robot.neutral() if start is None else np.asarray(start, np.float64)
     return _path(robot, times, [_whole(states, rest, columns) for _, states in points])
 
@@ -62,7 +66,9 @@ def _trajectory_in(message: Any) -> Any:
     while _get(inner, "points") is None:
         if _get(_get(inner, "multi_dof_joint_trajectory"), "joint_names"):
             raise InvalidInput("multi_dof_joint_trajectory: has joints, which are not read")
-        inner = next((part for key in ("joint_trajectory", "trajectory", "goal") if (part := _get(inner, key)) is not None), None)
+        inner = next(
+            (part for key in ("joint_trajectory", "trajectory", "goal") if (part := _get(inner, key)) is not None), None
+        )
         if isinstance(inner, list | tuple):
             if len(inner) != 1:
                 raise InvalidInput(f"trajectory: there are {len(inner)}; give one of them")
@@ -88,12 +94,16 @@ def _columns_of(names: Sequence[str], robot: Robot, start: npt.ArrayLike | None)
     number = {name: i for i, name in enumerate(robot.variables)}
     for name in names:
         if name not in number:
-            raise InvalidInput(f"joint_names: {name!r} is no variable of the robot, which has {', '.join(robot.variables)}")
+            raise InvalidInput(
+                f"joint_names: {name!r} is no variable of the robot, which has {', '.join(robot.variables)}"
+            )
     if len(set(names)) < len(names):
         raise InvalidInput("joint_names: a name comes twice")
     missing = [name for name in robot.variables if name not in names]
     if start is None and missing:
-        raise InvalidInput(f"joint_names: {missing[0]!r} is missing: give start, where joints stay that are not in the message")
+        raise InvalidInput(
+            f"joint_names: {missing[0]!r} is missing: give start, where joints stay that are not in the message"
+        )
     if start is not None and np.shape(start) != (len(number),):
         raise InvalidInput(f"start: the shape is {np.shape(start)}; ({len(number)},) is needed")
     return [number[name] for name in names]
@@ -113,10 +123,16 @@ def _point(number: int, point: Any, joints: int) -> tuple[float, list[Array]]:
         states.append(values)
     has = [state.size == joints for state in states]
     if not has[0]:
-        raise InvalidInput(f"points: point {number}: has no positions; controllers that integrate velocities are not followed")
+        raise InvalidInput(
+            f"points: point {number}: has no positions; controllers that integrate velocities are not followed"
+        )
     if has[2] and not has[1]:
-        raise InvalidInput(f"points: point {number}: has accelerations and no velocities, for which controllers have no spline")
-    return _seconds(number, _get(point, "time_from_start")), [state for state, given in zip(states, has, strict=True) if given]
+        raise InvalidInput(
+            f"points: point {number}: has accelerations and no velocities, for which controllers have no spline"
+        )
+    return _seconds(number, _get(point, "time_from_start")), [
+        state for state, given in zip(states, has, strict=True) if given
+    ]
 
 
 def _seconds(number: int, duration: Any) -> float:
@@ -126,7 +142,9 @@ def _seconds(number: int, duration: Any) -> float:
     parts = [[_get(duration, key) for key in keys] for keys in (("sec", "secs"), ("nanosec", "nsecs"))]
     whole, rest = (next((float(value) for value in part if value is not None), None) for part in parts)
     if whole is None and rest is None:
-        raise InvalidInput(f"points: point {number}: time_from_start: has neither sec nor nanosec, and is no number of seconds")
+        raise InvalidInput(
+            f"points: point {number}: time_from_start: has neither sec nor nanosec, and is no number of seconds"
+        )
     return (whole or 0.0) + 1e-9 * (rest or 0.0)
 
 

@@ -1,8 +1,19 @@
 """Plants and trajectories that the tests of chasles.drake share. They are written here; none is Drake's own."""
 
 import numpy as np
-from pydrake.geometry import Box, Capsule, Convex, Cylinder, Ellipsoid, HalfSpace, InMemoryMesh, Mesh, MeshSource, Sphere
 from pydrake.common import MemoryFile
+from pydrake.geometry import (
+    Box,
+    Capsule,
+    Convex,
+    Cylinder,
+    Ellipsoid,
+    HalfSpace,
+    InMemoryMesh,
+    Mesh,
+    MeshSource,
+    Sphere,
+)
 from pydrake.math import BsplineBasis, KnotVectorType, RigidTransform, RollPitchYaw
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, CoulombFriction
 from pydrake.multibody.tree import (

@@ -60,7 +60,13 @@ def test_all_joints_stand_where_drake_says():
     robot = check_poses(world, random, 1000)
     candidates, names = world.scene_graph.model_inspector().GetCollisionCandidates(), names_of(world)
     assert {frozenset(pair) for pair in robot.tested_pairs()} == {frozenset((names[a], names[b])) for a, b in candidates}
-    assert robot.variables[:5] == ["model::revolute 0", "model::prismatic 1", "model::screw 2", "model::universal 3/qx", "model::universal 3/qy"]
+    assert robot.variables[:5] == [
+        "model::revolute 0",
+        "model::prismatic 1",
+        "model::screw 2",
+        "model::universal 3/qx",
+        "model::universal 3/qy",
+    ]
     np.testing.assert_array_equal(robot.limits[:2], [[-1, 2], [-np.inf, np.inf]])
 
 
@@ -95,7 +101,10 @@ def exact_value(breaks, coefficients, time):
     s = min(int(np.searchsorted(breaks, time, "right")) - 1, len(breaks) - 2)
     since = Fraction(time) - Fraction(breaks[s])
     powers = len(coefficients)
-    return [float(sum(Fraction(c) * since ** (powers - 1 - k) for k, c in enumerate(column))) for column in coefficients[:, s].T.tolist()]
+    return [
+        float(sum(Fraction(c) * since ** (powers - 1 - k) for k, c in enumerate(column)))
+        for column in coefficients[:, s].T.tolist()
+    ]
 
 
 def test_trajectories_are_the_polynomials_that_they_are():
@@ -292,4 +301,3 @@ def test_the_page_of_the_guide_tells_the_truth():
     failures: list[str] = []
     doctest.DocTestRunner().run(example, out=failures.append)
     assert not failures, "".join(failures)
-

@@ -218,7 +218,10 @@ def test_polyhedra_of_curved_shapes_enclose_them():
                     ring = shape.radius * np.hypot(*way[:2])
                     ends = (shape.halfLength * way[2], -shape.halfLength * way[2] + ring)
                     theirs = max(ends) if name == "cone" else ring + shape.halfLength * abs(way[2])
-                assert theirs <= (vertices @ way).max() + 1e-15 and (vertices @ way).max() <= theirs + off * (1 + 1e-9), (name, way)
+                assert theirs <= (vertices @ way).max() + 1e-15 and (vertices @ way).max() <= theirs + off * (1 + 1e-9), (
+                    name,
+                    way,
+                )
 
 
 def two(shape=None, joint=None, pairs=True):
@@ -233,7 +236,11 @@ def two(shape=None, joint=None, pairs=True):
 
 REFUSED = [
     (lambda: two(pairs=False), {}, "geometry_model: has no collision pairs"),
-    (lambda: two(coal.Plane(np.array([0, 0, 1.0]), 0)), {}, "geometry 'part': a Plane has no polyhedron; leave_out leaves it out"),
+    (
+        lambda: two(coal.Plane(np.array([0, 0, 1.0]), 0)),
+        {},
+        "geometry 'part': a Plane has no polyhedron; leave_out leaves it out",
+    ),
     (lambda: two(joint=pin.JointModelEllipsoid()), {}, "joint 'slide': a joint of the type Ellipsoid has no counterpart"),
     (two, {"deviation": 0}, "deviation: must be in"),
     (two, {"plane_size": 0}, "plane_size: must be above 0"),

@@ -34,7 +34,9 @@ def random_message(random, names, orders, count=9, first=0.0, size=1.0):
     points = []
     for time in times:
         given = NAMES[: int(random.choice(orders))]
-        points.append({name: random.uniform(-size, size, len(names)).tolist() for name in given} | {"time_from_start": seconds(time)})
+        points.append(
+            {name: random.uniform(-size, size, len(names)).tolist() for name in given} | {"time_from_start": seconds(time)}
+        )
     return {"joint_names": list(names), "points": points}
 
 
@@ -79,7 +81,10 @@ def test_a_way_of_more_than_half_a_turn_is_the_long_one(arm):
     wrist = arm.variables.index("wrist")
     rows = np.zeros((2, 4))
     rows[1, wrist] = 4.0
-    message = {"joint_names": arm.variables, "points": [{"positions": row.tolist(), "time_from_start": t} for t, row in enumerate(rows)]}
+    message = {
+        "joint_names": arm.variables,
+        "points": [{"positions": row.tolist(), "time_from_start": t} for t, row in enumerate(rows)],
+    }
     assert chasles.ros.joint_path(message, arm).at(0.5)[wrist] == 2.0
     start = np.zeros(4)
     start[wrist] = -3.0
@@ -146,14 +151,20 @@ REFUSED = [
     (changed(lambda m: {"header": {}}), "message: has no points, and no trajectory or joint_trajectory that has them"),
     (changed(lambda m: {"trajectory": [m, m]}), "trajectory: there are 2; give one of them"),
     (changed(lambda m: {"multi_dof_joint_trajectory": {"joint_names": ["base"]}}), "multi_dof_joint_trajectory: has joints"),
-    (changed(lambda m: m["joint_names"].__setitem__(0, "wais")), "joint_names: 'wais' is no variable of the robot, which has waist"),
+    (
+        changed(lambda m: m["joint_names"].__setitem__(0, "wais")),
+        "joint_names: 'wais' is no variable of the robot, which has waist",
+    ),
     (changed(lambda m: m["joint_names"].__setitem__(0, "elbow")), "joint_names: a name comes twice"),
     (changed(lambda m: m["joint_names"].pop() and None), "joint_names: 'left' is missing: give start"),
     (changed(lambda m: drop(m, "points", 1, "positions")), "points: point 1: has no positions; controllers that integrate"),
     (changed(lambda m: m["points"][1]["positions"].pop() and None), "points: point 1: positions: 3 found, and joint_names has 4"),
     (changed(lambda m: m["points"][1].update(positions=["a"] * 4)), "points: point 1: positions: not an array of numbers"),
     (changed(lambda m: m["points"][1].update(accelerations=[0] * 4)), "points: point 1: has accelerations and no velocities"),
-    (changed(lambda m: m["points"][1].update(time_from_start=None)), "points: point 1: time_from_start: has neither sec nor nanosec"),
+    (
+        changed(lambda m: m["points"][1].update(time_from_start=None)),
+        "points: point 1: time_from_start: has neither sec nor nanosec",
+    ),
     (changed(lambda m: m["points"][2].update(time_from_start=0.0)), "path: time 2: must be finite and later than the one before"),
     (changed(lambda m: m.update(points=m["points"][:1])), "points: a path needs at least two, and there are 1"),
     (changed(lambda m: m.update(points={})), "points: must be a list"),
@@ -213,7 +224,10 @@ def test_files_and_bags(arm, tmp_path):
     with rosbags.Writer(tmp_path / "bag", version=9) as writer:
         of_arm, of_text = (
             writer.add_connection(topic, kind, typestore=store)
-            for topic, kind in (("/arm/joint_trajectory", "trajectory_msgs/msg/JointTrajectory"), ("/text", "std_msgs/msg/String"))
+            for topic, kind in (
+                ("/arm/joint_trajectory", "trajectory_msgs/msg/JointTrajectory"),
+                ("/text", "std_msgs/msg/String"),
+            )
         )
         for k, message in enumerate(messages):
             kind = "trajectory_msgs/msg/JointTrajectory"
@@ -236,7 +250,11 @@ def test_files_and_bags(arm, tmp_path):
         chasles.ros.trajectories(tmp_path / "bag", "/other")
     (tmp_path / "bad.mcap").write_bytes(b"no bag")
     (tmp_path / "bad.yaml").write_text("a: [")
-    for name, why in (("bad.mcap", "bad.mcap: "), ("bad.yaml", "bad.yaml: "), ("none.mcap", "none.mcap: there is no such file or folder$")):
+    for name, why in (
+        ("bad.mcap", "bad.mcap: "),
+        ("bad.yaml", "bad.yaml: "),
+        ("none.mcap", "none.mcap: there is no such file or folder$"),
+    ):
         with pytest.raises(chasles.InvalidInput, match=why) as error:
             chasles.ros.trajectories(tmp_path / name)
         assert "\n" not in str(error.value)
@@ -246,7 +264,8 @@ def deserialized(store, message):
     types = store.types
     point, duration = types["trajectory_msgs/msg/JointTrajectoryPoint"], types["builtin_interfaces/msg/Duration"]
     points = [
-        point(*(np.array(p.get(name, []), float) for name in (*NAMES, "effort")), duration(**p["time_from_start"])) for p in message["points"]
+        point(*(np.array(p.get(name, []), float) for name in (*NAMES, "effort")), duration(**p["time_from_start"]))
+        for p in message["points"]
     ]
     header = types["std_msgs/msg/Header"](stamp=types["builtin_interfaces/msg/Time"](sec=0, nanosec=0), frame_id="")
     return types["trajectory_msgs/msg/JointTrajectory"](header, message["joint_names"], points)
@@ -292,7 +311,12 @@ def test_the_node_by_a_stand_in(arm, monkeypatch):
     assert json.loads(answers[-1].data)["error"].startswith("states: no message has named 'waist' yet")
     node.inputs["joint_states"](Message({"name": [*arm.variables, "right"], "position": [0.0, 0, 0, 0.01, 0.01]}))
     ask(stamped(arm.variables, good))
-    assert json.loads(answers[-1].data) == {"stamp": {"sec": 7, "nanosec": 8}, "from": "state", "verdict": "clear", "clear_until": 1.0}
+    assert json.loads(answers[-1].data) == {
+        "stamp": {"sec": 7, "nanosec": 8},
+        "from": "state",
+        "verdict": "clear",
+        "clear_until": 1.0,
+    }
     ask(stamped(arm.variables, bad))
     found = json.loads(answers[-1].data)
     assert (found["verdict"], found["pair"], found["segment"], found["certain"]) == ("contact", ["right_finger", "post"], 1, True)
@@ -312,7 +336,9 @@ def test_the_node_of_rclpy():
     """In a process of its own: rclpy keeps threads."""
     if importlib.util.find_spec("rclpy") is None:
         pytest.skip("no rclpy")
-    done = subprocess.run([sys.executable, ROOT / "tests" / "python" / "ros_by_rclpy.py", ARM], capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        [sys.executable, ROOT / "tests" / "python" / "ros_by_rclpy.py", ARM], capture_output=True, text=True, timeout=120
+    )
     if "librmw" in done.stderr:
         pytest.skip("rclpy has no middleware: ros-rmw-fastrtps-cpp is one")
     assert done.returncode == 0, done.stderr
