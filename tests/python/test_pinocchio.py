@@ -100,7 +100,9 @@ def model_of(random, kinds, depth):
     pin.seed(int(random.integers(1 << 30)))
     model, geometry, ids = pin.Model(), pin.GeometryModel(), [0]
     geometry.addGeometryObject(pin.GeometryObject("ground", 0, pin.SE3.Identity(), coal.Halfspace(np.array([0, 0, 1.0]), -1.5)))
-    parts = list(shapes().items())
+    without = "mesh" if random.random() < 0.5 else "round"  # coal has no collision of both
+    parts = [(part, shape) for part, shape in shapes().items() if without not in part]
+    parts = [parts[k] for k in random.permutation(len(parts))]
     for number, (name, joint) in enumerate(kinds):
         parent = int(random.choice(ids[-depth:]))
         place = pin.SE3(pin.SE3.Random().rotation, random.uniform(-0.4, 0.4, 3))
@@ -281,6 +283,18 @@ def test_pairs_that_are_left_out():
     untested = robot.first_contact(robot.neutral(), robot.neutral()).untested
     assert untested.tested == len(geometry.collisionPairs)
     assert untested.reasons["disabled"] == count * (count - 1) // 2 - untested.tested  # the others have no shapes
+
+
+def test_meshes_of_urdf_files_have_their_scale(tmp_path):
+    (tmp_path / "tooth.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+    mesh = '<collision><geometry><mesh filename="tooth.obj" scale="2 3 0.5"/></geometry></collision>'
+    joint = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/></joint>'
+    (tmp_path / "robot.urdf").write_text(f'<robot name="r"><link name="a">{mesh}</link><link name="b">{mesh}</link>{joint}</robot>')
+    model = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"))
+    geometry = pin.buildGeomFromUrdf(model, str(tmp_path / "robot.urdf"), pin.COLLISION, str(tmp_path))
+    geometry.addAllCollisionPairs()
+    ((body, _, _),) = chasles.pinocchio.robot(model, geometry).collisions("b_0")
+    assert body.vertices.max(axis=0).tolist() == [2, 3, 0.5] and body.report.solid_parts == 1
 
 
 def test_chasles_alone_does_not_import_pinocchio():
