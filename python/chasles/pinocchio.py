@@ -70,6 +70,11 @@ def robot(
     if not 0 < plane_size < float("inf"):
         raise InvalidInput(f"plane_size: must be above 0 and finite, not {plane_size}")
     objects = list(geometry_model.geometryObjects)
+    for item in objects:
+        if item.parentJoint >= model.njoints:
+            raise InvalidInput(
+                f"geometry {item.name!r}: joint {item.parentJoint} is not in the model, which has {model.njoints}"
+            )
     pairs = _pairs_of(geometry_model, objects, leave_out)
     taken = set(model.names)
     names = [f"{o.name} (geometry)" if o.name in taken else o.name for o in objects]

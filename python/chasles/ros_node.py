@@ -26,6 +26,8 @@ class Validator:
         Distance that counts as contact, m.
     hold : float, optional
         As for `RobotChecker`: links that are within the margin where a segment begins may move on, to this distance.
+    tolerance : float
+        As for `joint_path`: how far a first point that is due at once may be from the last state, radians or m.
     seconds : float
         A question that takes longer has the verdict "unknown".
     topic : str
@@ -45,6 +47,7 @@ class Validator:
         scene: Scene | None = None,
         margin: float = 0.0,
         hold: float | None = None,
+        tolerance: float = 0.01,
         seconds: float = 1.0,
         topic: str = "joint_trajectory",
         states: str | None = "joint_states",
@@ -54,7 +57,7 @@ class Validator:
         from std_msgs.msg import String
         from trajectory_msgs.msg import JointTrajectory
 
-        self.node, self.seconds, self.has_states = node, seconds, states is not None
+        self.node, self.seconds, self.tolerance, self.has_states = node, seconds, tolerance, states is not None
         self.checker = RobotChecker(robot, scene, margin=margin, hold=hold)
         self.values: dict[str, float] = {}
         self._text = String
@@ -81,7 +84,7 @@ class Validator:
         stamp = message.header.stamp
         answer: dict[str, Any] = {"stamp": {"sec": stamp.sec, "nanosec": stamp.nanosec}, "from": self._begin()}
         try:
-            path = joint_path(message, self.checker.robot, start=self._state())
+            path = joint_path(message, self.checker.robot, start=self._state(), tolerance=self.tolerance)
             with Limit(self.seconds):
                 found = self.checker.first_contact_on_path(path)
         except InvalidInput as error:
@@ -124,6 +127,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("--scene", help="a mesh file of the world, in its frame")
     parser.add_argument("--margin", type=float, default=0.0, help="distance that counts as contact, m")
+    parser.add_argument(
+        "--tolerance", type=float, default=0.01, help="of the first point, if it is due at once, rad or m"
+    )
     parser.add_argument("--seconds", type=float, default=1.0, help="for each trajectory")
     parser.add_argument("--topic", default="joint_trajectory")
     parser.add_argument("--states", default="joint_states", help='"" proves from the first point on')
@@ -143,7 +149,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     rclpy.init()
     node = rclpy.create_node("chasles_validator")
     validator = Validator(
-        node, robot, scene=scene, margin=options.margin, seconds=options.seconds, topic=options.topic,
+        node, robot, scene=scene, margin=options.margin, tolerance=options.tolerance, seconds=options.seconds, topic=options.topic,
         states=options.states or None, forward=options.forward,
     )  # fmt: skip
     try:

@@ -10,11 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput, JointPath, Robot
+from .joint_polynomials import path_of
 
 Array = npt.NDArray[np.float64]
+Point = tuple[float, list[Array]]  # its time, and its positions, velocities and accelerations as far as it has them
+BEFORE = 0.001  # s
 
 
-def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None) -> JointPath:
+def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None, tolerance: float = 0.01) -> JointPath:
     """The motion that ros2_control's joint_trajectory_controller makes of a trajectory.
 
     Between two points it is straight in joint space; cubic if both have velocities; quintic if both have accelerations, too.
@@ -30,6 +33,9 @@ def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None
         Where the robot rests at time 0: the begin of the way to a first point that comes later, straight or, if that has
         velocities, cubic. Continuous joints start with the whole turns that make this way the shorter one. Variables
         that are not in the message stay there. By default the path begins at the first point.
+    tolerance : float
+        A first point that is due at once may be so far from `start`, radians or m. The straight way to it is then proven,
+        too, in the millisecond before time 0.
 
     Returns
     -------
@@ -44,20 +50,14 @@ def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None
     trajectory = _trajectory_in(message)
     columns = _columns_of(_list(trajectory, "joint_names"), robot, start)
     points = [_point(number, point, len(columns)) for number, point in enumerate(_list(trajectory, "points"))]
-    times = [time for time, _ in points]
-    if start is not None and points and times[0] > 0:
-        times.insert(0, 0.0)
-        points.insert(0, (0.0, _begin(robot, np.asarray(start, np.float64)[columns], points[0][1], columns)))
-    elif start is not None and points and not np.array_equal(np.asarray(start)[columns], points[0][1][0]):
-        raise InvalidInput(
-            "points: point 0: is due at once, and is not where the robot starts: give it a later time_from_start"
-        )
+    if start is not None and points:
+        points = [*_before(points[0], robot, np.asarray(start, np.float64), columns, tolerance), *points]
     if len(points) < 2:
         raise InvalidInput(
             f"points: a path needs at least two, and there are {len(points)}; start is the state before them"
         )
     rest = robot.neutral() if start is None else np.asarray(start, np.float64)
-    return _path(robot, times, [_whole(states, rest, columns) for _, states in points])
+    return _path(robot, [time for time, _ in points], [_whole(states, rest, columns) for _, states in points])
 
 
 def _trajectory_in(message: Any) -> Any:
@@ -109,8 +109,7 @@ def _columns_of(names: Sequence[str], robot: Robot, start: npt.ArrayLike | None)
     return [number[name] for name in names]
 
 
-def _point(number: int, point: Any, joints: int) -> tuple[float, list[Array]]:
-    """Its time, and its positions, velocities and accelerations as far as it has them."""
+def _point(number: int, point: Any, joints: int) -> Point:
     states = []
     for name in ("positions", "velocities", "accelerations"):
         given = _get(point, name)
@@ -148,9 +147,18 @@ def _seconds(number: int, duration: Any) -> float:
     return (whole or 0.0) + 1e-9 * (rest or 0.0)
 
 
-def _begin(robot: Robot, start: Array, first: list[Array], columns: list[int]) -> list[Array]:
-    turns = np.round((first[0] - start) / (2 * np.pi)) * np.asarray(robot.continuous)[columns]
-    return [start + 2 * np.pi * turns, np.zeros_like(start)][: min(len(first), 2)]
+def _before(first: Point, robot: Robot, start: Array, columns: list[int], tolerance: float) -> list[Point]:
+    """The state before the first point, as far as that is elsewhere. It has no acceleration, so the way is no quintic."""
+    turns = np.round((first[1][0] - start[columns]) / (2 * np.pi)) * np.asarray(robot.continuous)[columns]
+    begin = start[columns] + 2 * np.pi * turns
+    if first[0] > 0:
+        return [(0.0, [begin, np.zeros_like(begin)][: min(len(first[1]), 2)])]
+    ways = np.abs(first[1][0] - begin)
+    if ways.max(initial=0) > tolerance:
+        name = robot.variables[columns[int(ways.argmax())]]
+        where = f"{name!r} is {ways.max():.3g} from where the robot starts, which is more than the tolerance of {tolerance:g}"
+        raise InvalidInput(f"points: point 0: is due at once, and {where}: give it a later time_from_start")
+    return [(first[0] - BEFORE, [begin])] if ways.any() else []
 
 
 def _whole(states: list[Array], rest: Array, columns: list[int]) -> list[Array]:
@@ -184,7 +192,7 @@ def _mixed_path(robot: Robot, times: list[float], points: list[list[Array]]) -> 
             ends = [[Fraction(float(state[i])) for state in point[:order]] for point in (a, b)]
             for power, number in enumerate(_hermite(duration, *ends)):
                 coefficients[5 - power, s, i] = float(number)
-    return JointPath.polynomials(robot, times, coefficients)
+    return path_of(robot, times, coefficients)
 
 
 def _hermite(duration: Fraction, start: list[Fraction], goal: list[Fraction]) -> list[Fraction]:

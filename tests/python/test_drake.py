@@ -20,7 +20,7 @@ from drake_plants import KINDS, TOOTH, World, in_memory, random_world, trajector
 from pydrake.geometry import Box, CollisionFilterDeclaration, GeometrySet, Mesh, Role, Sphere  # noqa: E402
 from pydrake.math import RigidTransform  # noqa: E402
 from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint  # noqa: E402
-from pydrake.trajectories import PathParameterizedTrajectory, PiecewisePolynomial  # noqa: E402
+from pydrake.trajectories import BezierCurve, CompositeTrajectory, PathParameterizedTrajectory, PiecewisePolynomial  # noqa: E402
 
 
 def names_of(world):
@@ -109,6 +109,23 @@ def test_trajectories_are_the_polynomials_that_they_are():
         assert np.abs([path.at(time) for time in times] - theirs).max() < 1e-14, type(trajectory)
         kinds += 1
     assert kinds == 8
+
+
+def test_ways_through_zero():
+    """Roundings beside 0 are no jumps, and jumps are."""
+    random = np.random.default_rng(9)
+    world = random_world(random, ["revolute", "revolute", "prismatic"])
+    robot = robot_of(world)
+    for _ in range(50):
+        times, values = np.cumsum(random.uniform(0.1, 1, 5)), random.uniform(-1, 1, (3, 5))
+        values[:, 2] = 0
+        for kind in (PiecewisePolynomial.CubicShapePreserving, PiecewisePolynomial.FirstOrderHold):
+            path = chasles.drake.joint_path(kind(times, values), robot, world.plant)
+            assert np.abs(path.at(times[2])).max() < 1e-15
+    for jump in (1e-12, 1e-3):
+        pieces = [BezierCurve(0, 1, np.array([[1, 0.0]] * 3)), BezierCurve(1, 2, np.array([[jump, 1.0]] * 3))]
+        with pytest.raises(chasles.InvalidInput, match="^path: segment 1: does not begin where the one before ends$"):
+            chasles.drake.joint_path(CompositeTrajectory(pieces), robot, world.plant)
 
 
 def test_coefficients_of_splines_are_rounded_once():

@@ -244,6 +244,7 @@ REFUSED = [
         "geometry 'part': a Plane has no polyhedron; leave_out leaves it out",
     ),
     (lambda: two(joint=pin.JointModelEllipsoid()), {}, "joint 'slide': a joint of the type Ellipsoid has no counterpart"),
+    (lambda: (pin.Model(), two()[1]), {}, "geometry 'part': joint 1 is not in the model, which has 1"),
     (two, {"deviation": 0}, "deviation: must be in"),
     (two, {"plane_size": 0}, "plane_size: must be above 0"),
     (two, {"leave_out": "wall"}, "leave_out: 'wall' is one text"),
@@ -289,9 +290,11 @@ def test_meshes_of_urdf_files_have_their_scale(tmp_path):
     (tmp_path / "tooth.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
     mesh = '<collision><geometry><mesh filename="tooth.obj" scale="2 3 0.5"/></geometry></collision>'
     joint = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/></joint>'
-    (tmp_path / "robot.urdf").write_text(f'<robot name="r"><link name="a">{mesh}</link><link name="b">{mesh}</link>{joint}</robot>')
+    (tmp_path / "robot.urdf").write_text(
+        f'<robot name="r"><link name="a">{mesh}</link><link name="b">{mesh}</link>{joint}</robot>'
+    )
     model = pin.buildModelFromUrdf(str(tmp_path / "robot.urdf"))
-    geometry = pin.buildGeomFromUrdf(model, str(tmp_path / "robot.urdf"), pin.COLLISION, str(tmp_path))
+    geometry = pin.buildGeomFromUrdf(model, str(tmp_path / "robot.urdf"), pin.COLLISION, package_dirs=str(tmp_path))
     geometry.addAllCollisionPairs()
     ((body, _, _),) = chasles.pinocchio.robot(model, geometry).collisions("b_0")
     assert body.vertices.max(axis=0).tolist() == [2, 3, 0.5] and body.report.solid_parts == 1

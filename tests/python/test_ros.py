@@ -182,10 +182,35 @@ def test_starts_that_are_refused(arm):
     message = random_message(np.random.default_rng(5), arm.variables, [1])
     with pytest.raises(chasles.InvalidInput, match=r"^start: the shape is \(2,\); \(4,\) is needed$"):
         chasles.ros.joint_path(message, arm, start=[0, 0])
-    with pytest.raises(chasles.InvalidInput, match="^points: point 0: is due at once, and is not where the robot starts"):
-        chasles.ros.joint_path(message, arm, start=[0, 0, 0, 0])
-    path = chasles.ros.joint_path(message, arm, start=message["points"][0]["positions"])
-    assert len(path.times) == 9
+    first = np.array(message["points"][0]["positions"])
+    with pytest.raises(
+        chasles.InvalidInput, match="^points: point 0: is due at once, and 'elbow' is 0.02 from .* tolerance of 0.01"
+    ):
+        chasles.ros.joint_path(message, arm, start=first + [0, 0.02, 0.01, 0])
+    assert len(chasles.ros.joint_path(message, arm, start=first).times) == 9
+
+
+def test_a_first_point_that_is_due_at_once(arm):
+    """As planners send it: the robot is there but for a little, and whole turns of its wrist."""
+    message = random_message(np.random.default_rng(8), arm.variables, [3])
+    first = np.array(message["points"][0]["positions"])
+    path = chasles.ros.joint_path(message, arm, start=first + [0, 0.004, 2 * np.pi, 0])
+    assert len(path.times) == 10 and path.times[0] == -0.001 and path.times[1] == 0
+    np.testing.assert_allclose(path.at(-0.001) - first, [0, 0.004, 0, 0], atol=1e-15)
+    for time in np.linspace(0, path.times[-1], 100):
+        assert np.abs(path.at(time) - controller(message["points"], min(time, path.times[-1] - 1e-9))).max() < 1e-7
+
+
+def test_ways_through_zero(arm):
+    """Segments of several orders that meet where all joints are 0: roundings beside 0 are no jumps."""
+    random = np.random.default_rng(9)
+    for _ in range(50):
+        message = random_message(random, arm.variables, [1, 2, 3], count=5)
+        message["points"][1] = {"positions": [0.0] * 4, "time_from_start": message["points"][1]["time_from_start"]}
+        message["points"][3]["positions"] = [0.0] * 4
+        path = chasles.ros.joint_path(message, arm)
+        for time in random.uniform(0, path.times[-1], 20):
+            assert np.abs(path.at(time) - controller(message["points"], time)).max() < 1e-13
 
 
 def test_coal_contradicts_nothing(arm):
