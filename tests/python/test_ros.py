@@ -184,9 +184,9 @@ def test_starts_that_are_refused(arm):
         chasles.ros.joint_path(message, arm, start=[0, 0])
     first = np.array(message["points"][0]["positions"])
     with pytest.raises(
-        chasles.InvalidInput, match="^points: point 0: is due at once, and 'elbow' is 0.02 from .* tolerance of 0.01"
+        chasles.InvalidInput, match="^points: point 0: is due at once, and 'elbow' is 0.011 from .* tolerance of 0.01"
     ):
-        chasles.ros.joint_path(message, arm, start=first + [0, 0.02, 0.01, 0])
+        chasles.ros.joint_path(message, arm, start=first + [0, 0.011, 0.009, 0])
     assert len(chasles.ros.joint_path(message, arm, start=first).times) == 9
 
 
@@ -348,6 +348,17 @@ def test_the_node_by_a_stand_in(arm, monkeypatch):
     assert 1 < found["time"] <= found["time_upper"] < 2 and len(found["contacts"][0]["point"]) == 3
     ask(stamped(["waist"], [[0]] * 2)), ask(stamped(["wais"], [[0]]))
     assert "error" in json.loads(answers[-1].data) and len(node.published["safe"]) == 2  # "waist" alone is clear, the others stay
+
+
+@pytest.mark.parametrize("tolerance, verdict", [(0.05, "error"), (0.2, "clear")])
+def test_the_node_has_a_tolerance(arm, monkeypatch, tolerance, verdict):
+    node = stand_in(monkeypatch)
+    validator = chasles.ros.Validator(node, arm, tolerance=tolerance)
+    node.inputs["joint_states"](Message({"name": arm.variables, "position": [0.1, 0.5, 0, 0.01]}))
+    message = stamped(arm.variables, [[0.0, 0.5, 0, 0.01], [0.2, 0.5, 0, 0.01]])
+    for point in message.points:
+        point.time_from_start.sec -= 1
+    assert validator.validate(message)["verdict"] == verdict
 
 
 def test_the_node_ends_in_time_and_without_states(arm, monkeypatch):
