@@ -1,4 +1,4 @@
-"""A validator of `chasles.ros` in a node of rclpy, and another node that sends it trajectories. Run by test_ros.py."""
+"""A validator of `chasles.ros` in a node of rclpy, and another node that sends it trajectories. Run by test_ros_node.py."""
 
 import json
 import os

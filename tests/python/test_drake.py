@@ -17,9 +17,23 @@ pytest.importorskip("pydrake")
 import chasles.drake  # noqa: E402
 from chasles.drake_joints import name_of_body  # noqa: E402
 from drake_plants import KINDS, TOOTH, World, in_memory, random_world, trajectories  # noqa: E402
-from pydrake.geometry import Box, CollisionFilterDeclaration, GeometrySet, Mesh, Role, Sphere  # noqa: E402
+from pydrake.geometry import (  # noqa: E402
+    AddContactMaterial,
+    Box,
+    CollisionFilterDeclaration,
+    GeometryFrame,
+    GeometryInstance,
+    GeometrySet,
+    Mesh,
+    ProximityProperties,
+    Role,
+    Sphere,
+)
 from pydrake.math import RigidTransform  # noqa: E402
+from pydrake.multibody.fem import DeformableBodyConfig  # noqa: E402
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, CoulombFriction  # noqa: E402
 from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint  # noqa: E402
+from pydrake.systems.framework import DiagramBuilder  # noqa: E402
 from pydrake.trajectories import BezierCurve, CompositeTrajectory, PathParameterizedTrajectory, PiecewisePolynomial  # noqa: E402
 
 
@@ -311,6 +325,40 @@ def test_plants_that_are_refused():
     upside_down.plant.AddJoint(RevoluteJoint("turn", body.body_frame(), upside_down.plant.world_frame(), [0, 0, 1]))
     with pytest.raises(chasles.InvalidInput, match="^joint 'turn': 'world' is the world or .*: swap its parent and its child$"):
         robot_of(upside_down.finish())
+
+
+def test_geometries_that_are_refused_by_name():
+    """What deforms, and what is on a frame of another source. Other geometries of the world are taken."""
+    world = World()
+    world.body("part", Box(1, 1, 1))
+    source = world.scene_graph.RegisterSource("other")
+    loose = world.scene_graph.RegisterFrame(source, GeometryFrame("loose"))
+    for frame, name in ((loose, "ball"), (None, "stone")):
+        instance = GeometryInstance(RigidTransform([0, 0, 5.0]), Sphere(0.2), name)
+        instance.set_proximity_properties(ProximityProperties())
+        if frame is None:
+            world.scene_graph.RegisterAnchoredGeometry(source, instance)
+        else:
+            world.scene_graph.RegisterGeometry(source, frame, instance)
+    world.finish()
+    with pytest.raises(
+        chasles.InvalidInput, match="^geometry 'ball': is on a frame that is none of the plant; name it in leave_out$"
+    ):
+        robot_of(world)
+    assert robot_of(world, leave_out=["ball"]).tested_pairs() == [("model::part/shape", "world/stone")]
+
+
+def test_what_deforms_is_refused_by_name():
+    builder = DiagramBuilder()
+    plant, scene_graph = AddMultibodyPlantSceneGraph(builder, 0.01)
+    instance, properties = GeometryInstance(RigidTransform(), Sphere(0.1), "jelly"), ProximityProperties()
+    AddContactMaterial(dissipation=None, point_stiffness=None, friction=CoulombFriction(1, 1), properties=properties)
+    instance.set_proximity_properties(properties)
+    plant.mutable_deformable_model().RegisterDeformableBody(instance, DeformableBodyConfig(), 0.1)
+    plant.Finalize()
+    with pytest.raises(chasles.InvalidInput, match="^geometry 'jelly': deforms; name it in leave_out$"):
+        chasles.drake.robot(plant, scene_graph)
+    assert chasles.drake.robot(plant, scene_graph, leave_out=["jelly"]).tested_pairs() == []
 
 
 def test_chasles_alone_does_not_import_drake():

@@ -12,7 +12,7 @@ from test_docs import code_of
 
 import chasles
 
-pin = pytest.importorskip("pinocchio")
+pin = pytest.importorskip("pinocchio", minversion="4")
 coal = pytest.importorskip("coal")
 import chasles.pinocchio  # noqa: E402
 
