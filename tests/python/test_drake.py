@@ -53,13 +53,14 @@ def random_positions(random, world, count):
 def check_poses(world, random, count):
     robot, inspector = chasles.drake.robot(world.plant, world.scene_graph), world.scene_graph.model_inspector()
     names, states = names_of(world), random_positions(random, world, count)
-    for state, values in zip(states, chasles.drake.configurations(robot, world.plant, states), strict=True):
+    for number, (state, values) in enumerate(zip(states, chasles.drake.configurations(robot, world.plant, states), strict=True)):
         world.at(state)
         links = robot.link_poses(values)
         for body in world.bodies:
             place = world.plant.EvalBodyPoseInWorld(world.plant_context, body)
             near(links[name_of_body(world.plant, body)], place.GetAsMatrix4(), body.name())
-            for geometry in inspector.GetGeometries(world.plant.GetBodyFrameIdOrThrow(body.index()), Role.kProximity):
+            ids = inspector.GetGeometries(world.plant.GetBodyFrameIdOrThrow(body.index()), Role.kProximity)
+            for geometry in ids if number % 10 == 0 else ():
                 near(links[names[geometry]], (place @ inspector.GetPoseInFrame(geometry)).GetAsMatrix4(), names[geometry])
     return robot
 
@@ -191,7 +192,7 @@ def de_boor(knots, points, time):
 def test_drake_contradicts_nothing():
     """Its signed distances at dense samples of a trajectory are above 0 where Chasles says clear, and 0 where it says contact."""
     random, seen, met, clear = np.random.default_rng(5), 0, 0, 0
-    for number in range(60 if os.environ.get("CHASLES_LONG") else 12):
+    for number in range(60 if os.environ.get("CHASLES_LONG") else 8):
         kinds = random.choice([kind for kind in KINDS if kind not in ("quaternion", "weld")], 3, replace=False)
         world = random_world(random, ["weld", *kinds], with_ground=number % 3 == 0)
         robot = chasles.drake.robot(world.plant, world.scene_graph, deviation=0.001)

@@ -186,7 +186,7 @@ def test_coal_contradicts_nothing():
         model, geometry = model_of(random, [(name, kinds[name]) for name in chosen], 2)
         checker = chasles.RobotChecker(chasles.pinocchio.robot(model, geometry, deviation=0.001))
         data, places = model.createData(), geometry.createData()
-        for _ in range(12):
+        for _ in range(8):
             start, goal = random_state(random, model), random_state(random, model)
             goal = pin.interpolate(model, start, goal, 0.3)
             found = checker.first_contact(*chasles.pinocchio.configurations(model, [start, goal]))

@@ -56,8 +56,8 @@ def test_a_robot(file):
             if is_hit == is_ours:
                 continue
             distance = pin.computeDistance(geometry, places, number).min_distance
-            if is_hit:  # coal calls meshes within 1e-7 a collision
-                assert 0 < distance < 1e-6, (names[pair.first], names[pair.second])
+            if is_hit:  # coal calls meshes within 1e-7 a collision; fingers of Baxter overlap by 1e-12
+                assert -1e-9 < distance < 1e-6, (names[pair.first], names[pair.second])
             else:
                 off = DEVIATION * sum(items[i].geometry.aabb_radius for i in (pair.first, pair.second))
                 assert distance < off or is_inside(robot, names[pair.first], names[pair.second], links)
