@@ -135,6 +135,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--states", default="joint_states", help='"" proves from the first point on')
     parser.add_argument("--forward", help="a topic for trajectories that are proven clear")
     options = parser.parse_args(arguments)
+    for item in options.package:
+        if "=" not in item:
+            parser.error(f"--package: {item!r} is not NAME=FOLDER")
     packages = dict(item.split("=", 1) for item in options.package)
     robot = Robot.load(options.urdf, srdf=options.srdf, packages=packages)
     scene = None
@@ -145,6 +148,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         for name, body in load_parts(options.scene).items():
             scene.add(name, body)
     import rclpy
+    from rclpy.executors import ExternalShutdownException
 
     rclpy.init()
     node = rclpy.create_node("chasles_validator")
@@ -154,7 +158,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )  # fmt: skip
     try:
         rclpy.spin(validator.node)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
         node.destroy_node()

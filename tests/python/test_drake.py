@@ -24,12 +24,13 @@ from pydrake.geometry import (  # noqa: E402
     GeometryFrame,
     GeometryInstance,
     GeometrySet,
+    HalfSpace,
     Mesh,
     ProximityProperties,
     Role,
     Sphere,
 )
-from pydrake.math import RigidTransform  # noqa: E402
+from pydrake.math import RigidTransform, RollPitchYaw  # noqa: E402
 from pydrake.multibody.fem import DeformableBodyConfig  # noqa: E402
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, CoulombFriction  # noqa: E402
 from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint  # noqa: E402
@@ -234,6 +235,16 @@ def slider(shape=None):
 
 def robot_of(world, **options):
     return chasles.drake.robot(world.plant, world.scene_graph, **options)
+
+
+def test_a_half_space_in_a_closed_form():
+    """A ball that falls on a slope, from 1 to -1."""
+    world = World()
+    ball = world.body("ball", Sphere(0.1))
+    world.shape(world.plant.world_body(), HalfSpace(), "slope", RigidTransform(RollPitchYaw(0.3, 0, 1), [0, 0, 0]))
+    world.plant.AddJoint(PrismaticJoint("fall", world.plant.world_frame(), ball.body_frame(), [0, 0, 1]))
+    found = robot_of(world.finish(), plane_size=5).first_contact([1], [-1])
+    assert found.pair == ("model::ball/shape", "world/slope") and abs(found.time - (1 - 0.1 / np.cos(0.3)) / 2) < 1e-9
 
 
 def test_filters_of_a_context():

@@ -269,6 +269,18 @@ def test_wrong_types_and_shapes():
         chasles.pinocchio.configurations(model, [0, 0])
 
 
+def test_a_half_space_in_a_closed_form():
+    """A ball that falls on a slope, from 1 to -1."""
+    model, geometry = pin.Model(), pin.GeometryModel()
+    fall = model.addJoint(0, pin.JointModelPZ(), pin.SE3.Identity(), "fall")
+    slope = coal.Halfspace(np.array([0, np.sin(0.3), np.cos(0.3)]), 0.2)
+    for name, joint, shape in (("slope", 0, slope), ("ball", fall, coal.Sphere(0.1))):
+        geometry.addGeometryObject(pin.GeometryObject(name, joint, pin.SE3.Identity(), shape))
+    geometry.addAllCollisionPairs()
+    found = chasles.pinocchio.robot(model, geometry, plane_size=5).first_contact([1], [-1])
+    assert set(found.pair) == {"ball", "slope"} and abs(found.time - (1 - 0.3 / np.cos(0.3)) / 2) < 1e-9
+
+
 def test_pairs_that_are_left_out():
     model, geometry = two()
     robot = chasles.pinocchio.robot(model, geometry)
