@@ -21,6 +21,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/chaslesConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/chaslesConfig.cmake ${PROJECT_BINARY_DIR}/chaslesConfigVersion.cmake
         DESTINATION ${package_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/chasles) # where tools of ROS look for it
 
 if(TARGET chasles_cli)
   install(TARGETS chasles_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -44,6 +44,9 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
 # Modules that are imported by their names, because they need further packages.
 MODULES = {
     "distributed": ("Dask and Parquet", "chasles.distributed"),
+    "drake": ("Plants and trajectories of Drake", "chasles.drake"),
+    "pinocchio": ("Models of Pinocchio", "chasles.pinocchio"),
+    "ros": ("Trajectories of ROS", "chasles.ros"),
     "mujoco": ("Models and recordings of MuJoCo", "chasles.mujoco"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
     "policy": ("A gate for policies", "chasles.policy"),

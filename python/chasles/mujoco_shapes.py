@@ -6,20 +6,14 @@ and one inside of them, for "contact".
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import mujoco as mj
 import numpy as np
-import numpy.typing as npt
 
 from ._core import InvalidInput, Polyhedron, capsule, first_contact, sphere
+from .primitive_shapes import Array, Mesh, box, ellipsoid, prism
 
-Array = npt.NDArray[np.float64]
-Mesh = tuple[Array, list[list[int]]]  # vertices, and faces that turn outwards
-
-_BOX_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-_ROUNDED = 1 + 2.0**-40  # of an enclosure: more than the rounding of its corners
 MOST_OF_BALL = 0.9
 CURVED = ("CYLINDER", "ELLIPSOID")
 
@@ -66,9 +60,9 @@ def shape_of(
     if kind == "CAPSULE":
         return capsule(size[0] - inset, 2 * size[1])
     if kind == "PLANE":
-        return _box(np.array([-plane, -plane, -inset - plane]), np.array([plane, plane, -inset]))
+        return box(np.array([-plane, -plane, -inset - plane]), np.array([plane, plane, -inset]))
     if kind == "BOX":
-        return _box(inset - size, size - inset)
+        return box(inset - size, size - inset)
     if kind == "HFIELD":
         return Polyhedron(*_field(model, int(model.geom_dataid[geom]), inset))
     if kind == "MESH" and meshes == "mesh":
@@ -76,67 +70,10 @@ def shape_of(
     if kind == "MESH":
         return _moved_inwards(_hull(model, int(model.geom_dataid[geom])), inset)
     if kind == "CYLINDER":
-        return _moved_inwards(_prism(size[0], size[1], deviation, inner), inset)
+        return _moved_inwards(prism(size[0], size[1], deviation, inner), inset)
     if kind == "ELLIPSOID":
-        return _moved_inwards(_ellipsoid(size, deviation, inner), inset)
+        return _moved_inwards(ellipsoid(size, deviation, inner), inset)
     raise InvalidInput(f"has no polyhedron: {kind}")
-
-
-def _box(lower: Array, upper: Array) -> Polyhedron:
-    corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-    return Polyhedron(np.where(corners, upper, lower), _BOX_FACES)
-
-
-def _prism(radius: float, half: float, deviation: float, inner: bool) -> Mesh:
-    """A regular prism around or inside of a cylinder about z."""
-    sides = max(8, math.ceil(math.pi / math.acos(1 / (1 + deviation))))
-    corner = radius / _ROUNDED if inner else radius / math.cos(math.pi / sides) * _ROUNDED
-    angles = 2 * math.pi * np.arange(sides) / sides
-    ring = np.stack([corner * np.cos(angles), corner * np.sin(angles)], axis=1)
-    vertices = np.concatenate([np.column_stack([ring, np.full(sides, z)]) for z in (-half, half)])
-    walls = [[i, (i + 1) % sides, (i + 1) % sides + sides, i + sides] for i in range(sides)]
-    return vertices, [list(range(sides))[::-1], list(range(sides, 2 * sides)), *walls]
-
-
-def _ellipsoid(axes: Array, deviation: float, inner: bool) -> Mesh:
-    """An icosahedron whose faces are cut into four until it is round enough, with its corners on or outside of the ellipsoid."""
-    vertices, faces = _icosahedron()
-    while True:
-        corners = vertices[faces]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        apothem = float((np.einsum("ij,ij->i", normals, corners[:, 0]) / np.linalg.norm(normals, axis=1)).min())
-        if 1 / apothem <= 1 + deviation:
-            break
-        vertices, faces = _finer(vertices, faces)
-    scale = 1 / _ROUNDED if inner else _ROUNDED / apothem
-    return vertices * axes * scale, faces.tolist()
-
-
-def _icosahedron() -> tuple[Array, npt.NDArray[np.int64]]:
-    golden = (1 + math.sqrt(5)) / 2
-    base = np.array([[0, a, b * golden] for a in (-1, 1) for b in (-1, 1)])
-    vertices = np.concatenate([np.roll(base, turn, axis=1) for turn in range(3)]) / math.hypot(1, golden)
-    near = np.linalg.norm(vertices[:, None] - vertices[None], axis=2) < 1.1
-    faces = [
-        (a, b, c) if np.linalg.det(vertices[[a, b, c]]) > 0 else (a, c, b)
-        for a in range(12)
-        for b in range(a + 1, 12)
-        for c in range(b + 1, 12)
-        if near[a, b] and near[b, c] and near[a, c]
-    ]
-    return vertices, np.array(faces)
-
-
-def _finer(vertices: Array, faces: npt.NDArray[np.int64]) -> tuple[Array, npt.NDArray[np.int64]]:
-    """Each triangle becomes four; the new corners are on the unit sphere."""
-    edges = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2).reshape(-1, 2)
-    unique, index = np.unique(edges, axis=0, return_inverse=True)
-    middles = vertices[unique].sum(axis=1)
-    middles /= np.linalg.norm(middles, axis=1, keepdims=True)
-    m = index.reshape(-1, 3) + len(vertices)
-    a, b, c = faces.T
-    parts = [(a, m[:, 0], m[:, 2]), (b, m[:, 1], m[:, 0]), (c, m[:, 2], m[:, 1]), (m[:, 0], m[:, 1], m[:, 2])]
-    return np.concatenate([vertices, middles]), np.concatenate([np.stack(part, axis=1) for part in parts])
 
 
 def _vertices(model: Any, mesh: int) -> Array:

@@ -39,6 +39,7 @@ from public_objects import (
 
 import chasles
 from chasles.policy import PolicyGate
+from chasles.ros import Recorded
 
 
 # --- What can be pickled: makers of objects, and all that can be seen of them ---
@@ -120,6 +121,7 @@ PICKLED = {
         [lambda: PolicyGate(hinge_robot(), mode="shorten", milliseconds=1e4)([0], [[0.1], [3.5]])],
         lambda decision: (decision.record(), decision.actions.tobytes(), decision.speeds.tobytes()),
     ),
+    "ros.Recorded": ([lambda: Recorded("/arm", 1.5, {"points": []})], lambda message: message),
     "distributed.ParquetRun": ([lambda: parquet_run()], lambda run: run),
 }
 
@@ -202,8 +204,8 @@ def public_types():
     types = {name: value for name, value in vars(chasles).items() if isinstance(value, type)}
     found = {name for name, value in types.items() if value.__module__.startswith("chasles")}
     for file in pathlib.Path(chasles.__file__).parent.glob("[a-z]*.py"):
-        is_optional = file.stem in ("ompl", "lerobot") or file.stem.startswith("mujoco")  # test_mujoco_audit.py pickles an Audit
-        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question"):  # or of the package's own use
+        is_optional = file.stem in ("ompl", "lerobot", "pinocchio") or file.stem.startswith(("mujoco", "drake"))  # test_mujoco_audit.py pickles an Audit
+        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question", "robot_tree", "ros_node"):  # or of the package's own use
             continue
         module = importlib.import_module(f"chasles.{file.stem}")
         for name, value in vars(module).items():

@@ -1,0 +1,165 @@
+"""A node of ROS 2 that answers trajectories before the robot moves, for `chasles.ros`. It is imported without rclpy."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ._core import InvalidInput, Limit, Robot, RobotChecker, Scene
+from .ros_path import joint_path
+
+
+class Validator:
+    """Proves each trajectory of a topic, and publishes the answer as JSON on TOPIC/validation.
+
+    Parameters
+    ----------
+    node : rclpy.node.Node
+    robot : Robot
+    scene : Scene, optional
+        The world.
+    margin : float
+        Distance that counts as contact, m.
+    hold : float, optional
+        As for `RobotChecker`: links that are within the margin where a segment begins may move on, to this distance.
+    tolerance : float
+        As for `joint_path`: how far a first point that is due at once may be from the last state, radians or m.
+    seconds : float
+        A question that takes longer has the verdict "unknown".
+    topic : str
+        Of trajectory_msgs/JointTrajectory.
+    states : str or None
+        The topic of sensor_msgs/JointState. Trajectories are then proven from the last state on, which has to name all variables of
+        the robot. With None they are proven from their first point on, which may leave out the way to it.
+    forward : str or None
+        A topic on which trajectories with the verdict "clear" are published again, unchanged; no others are.
+    """
+
+    def __init__(
+        self,
+        node: Any,
+        robot: Robot,
+        *,
+        scene: Scene | None = None,
+        margin: float = 0.0,
+        hold: float | None = None,
+        tolerance: float = 0.01,
+        seconds: float = 1.0,
+        topic: str = "joint_trajectory",
+        states: str | None = "joint_states",
+        forward: str | None = None,
+    ):
+        from sensor_msgs.msg import JointState
+        from std_msgs.msg import String
+        from trajectory_msgs.msg import JointTrajectory
+
+        self.node, self.seconds, self.tolerance, self.has_states = node, seconds, tolerance, states is not None
+        self.checker = RobotChecker(robot, scene, margin=margin, hold=hold)
+        self.values: dict[str, float] = {}
+        self._text = String
+        self._answers = node.create_publisher(String, f"{topic}/validation", 10)
+        self._forward = None if forward is None else node.create_publisher(JointTrajectory, forward, 10)
+        self._inputs = [node.create_subscription(JointTrajectory, topic, self.on_trajectory, 10)]
+        if states is not None:
+            self._inputs.append(node.create_subscription(JointState, states, self.on_state, 10))
+
+    def on_state(self, message: Any) -> None:
+        self.values |= dict(zip(message.name, map(float, message.position), strict=False))
+
+    def on_trajectory(self, message: Any) -> None:
+        answer = self.validate(message)
+        self._answers.publish(self._text(data=json.dumps(answer)))
+        if self._forward is not None and answer["verdict"] == "clear":
+            self._forward.publish(message)
+        self.node.get_logger().info(
+            f"trajectory: {answer['verdict']} {answer.get('pair') or answer.get('error') or ''}"
+        )
+
+    def validate(self, message: Any) -> dict[str, Any]:
+        """The answer to one trajectory, as it is published. A trajectory that cannot be used has the verdict "error"."""
+        stamp = message.header.stamp
+        answer: dict[str, Any] = {"stamp": {"sec": stamp.sec, "nanosec": stamp.nanosec}, "from": self._begin()}
+        try:
+            path = joint_path(message, self.checker.robot, start=self._state(), tolerance=self.tolerance)
+            with Limit(self.seconds):
+                found = self.checker.first_contact_on_path(path)
+        except InvalidInput as error:
+            return answer | {"verdict": "error", "error": str(error)}
+        answer |= {"verdict": str(found.verdict), "clear_until": found.clear_until}
+        if found.pair is not None and found.verdict in ("contact", "contact_at_start"):
+            answer |= {"pair": list(found.pair), "time": found.time, "time_upper": found.time_upper}
+            answer |= {
+                "certain": found.certain,
+                "segment": found.segment,
+                "configuration": found.configuration.tolist(),
+            }
+            answer["contacts"] = [{"point": c.point.tolist(), "normal": c.normal.tolist()} for c in found.contacts]
+        return answer
+
+    def _begin(self) -> str:
+        return "state" if self.has_states else "first point"
+
+    def _state(self) -> Any:
+        if not self.has_states:
+            return None
+        variables = self.checker.robot.variables
+        missing = [name for name in variables if name not in self.values]
+        if missing:
+            raise InvalidInput(
+                f"states: no message has named {missing[0]!r} yet, so the way to the first point is not known"
+            )
+        return np.array([self.values[name] for name in variables])
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """The node as a program: `python -m chasles.ros --urdf robot.urdf`."""
+    parser = argparse.ArgumentParser(
+        prog="python -m chasles.ros", description="Proves trajectories before the robot moves."
+    )
+    parser.add_argument("--urdf", required=True, help="the robot")
+    parser.add_argument("--srdf", help="pairs of links that are not tested")
+    parser.add_argument(
+        "--package", action="append", default=[], metavar="NAME=FOLDER", help="of package:// in the URDF"
+    )
+    parser.add_argument("--scene", help="a mesh file of the world, in its frame")
+    parser.add_argument("--margin", type=float, default=0.0, help="distance that counts as contact, m")
+    parser.add_argument(
+        "--tolerance", type=float, default=0.01, help="of the first point, if it is due at once, rad or m"
+    )
+    parser.add_argument("--seconds", type=float, default=1.0, help="for each trajectory")
+    parser.add_argument("--topic", default="joint_trajectory")
+    parser.add_argument("--states", default="joint_states", help='"" proves from the first point on')
+    parser.add_argument("--forward", help="a topic for trajectories that are proven clear")
+    options = parser.parse_args(arguments)
+    for item in options.package:
+        if "=" not in item:
+            parser.error(f"--package: {item!r} is not NAME=FOLDER")
+    packages = dict(item.split("=", 1) for item in options.package)
+    robot = Robot.load(options.urdf, srdf=options.srdf, packages=packages)
+    scene = None
+    if options.scene:
+        from ._core import load_parts
+
+        scene = Scene()
+        for name, body in load_parts(options.scene).items():
+            scene.add(name, body)
+    import rclpy
+    from rclpy.executors import ExternalShutdownException
+
+    rclpy.init()
+    node = rclpy.create_node("chasles_validator")
+    validator = Validator(
+        node, robot, scene=scene, margin=options.margin, tolerance=options.tolerance, seconds=options.seconds, topic=options.topic,
+        states=options.states or None, forward=options.forward,
+    )  # fmt: skip
+    try:
+        rclpy.spin(validator.node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()

@@ -1,0 +1,210 @@
+"""Trajectories of ROS as the motion that controllers make of them, for `chasles.ros`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import InvalidInput, JointPath, Robot
+from .joint_polynomials import path_of
+
+Array = npt.NDArray[np.float64]
+Point = tuple[float, list[Array]]  # its time, and its positions, velocities and accelerations as far as it has them
+BEFORE = 0.001  # s
+
+
+def joint_path(message: Any, robot: Robot, *, start: npt.ArrayLike | None = None, tolerance: float = 0.01) -> JointPath:
+    """The motion that ros2_control's joint_trajectory_controller makes of a trajectory.
+
+    Between two points it is straight in joint space; cubic if both have velocities; quintic if both have accelerations, too.
+    Values are taken as they are: a step of more than half a turn is the long way.
+
+    Parameters
+    ----------
+    message : trajectory_msgs/JointTrajectory
+        Of rclpy, of rosbags, or of dicts and lists as in YAML and JSON; or a message that contains one.
+    robot : Robot
+        Its variables have the names of the message's joints.
+    start : array (variables,), optional
+        Where the robot rests at time 0: the begin of the way to a first point that comes later, straight or, if that has
+        velocities, cubic. Continuous joints start with the whole turns that make this way the shorter one. Variables
+        that are not in the message stay there. By default the path begins at the first point.
+    tolerance : float
+        A first point that is due at once may be so far from `start`, radians or m. The straight way to it is then proven,
+        too, in the millisecond before time 0.
+
+    Returns
+    -------
+    JointPath
+        Times are those of `time_from_start`, s.
+
+    Raises
+    ------
+    InvalidInput
+        With the number of the point, counted from 0.
+    """
+    trajectory = _trajectory_in(message)
+    columns = _columns_of(_list(trajectory, "joint_names"), robot, start)
+    points = [_point(number, point, len(columns)) for number, point in enumerate(_list(trajectory, "points"))]
+    if start is not None and points:
+        points = [*_before(points[0], robot, np.asarray(start, np.float64), columns, tolerance), *points]
+    if len(points) < 2:
+        raise InvalidInput(
+            f"points: a path needs at least two, and there are {len(points)}; start is the state before them"
+        )
+    rest = robot.neutral() if start is None else np.asarray(start, np.float64)
+    return _path(robot, [time for time, _ in points], [_whole(states, rest, columns) for _, states in points])
+
+
+def _trajectory_in(message: Any) -> Any:
+    """Wrappers hold it in one of these members, alone or as the only one of a list."""
+    inner = message
+    while _get(inner, "points") is None:
+        if _get(_get(inner, "multi_dof_joint_trajectory"), "joint_names"):
+            raise InvalidInput("multi_dof_joint_trajectory: has joints, which are not read")
+        inner = next(
+            (part for key in ("joint_trajectory", "trajectory", "goal") if (part := _get(inner, key)) is not None), None
+        )
+        if isinstance(inner, list | tuple):
+            if len(inner) != 1:
+                raise InvalidInput(f"trajectory: there are {len(inner)}; give one of them")
+            inner = inner[0]
+        if inner is None:
+            raise InvalidInput("message: has no points, and no trajectory or joint_trajectory that has them")
+    return inner
+
+
+def _get(message: Any, name: str) -> Any:
+    return message.get(name) if isinstance(message, Mapping) else getattr(message, name, None)
+
+
+def _list(message: Any, name: str) -> Sequence[Any]:
+    value = _get(message, name)
+    if value is None or isinstance(value, str | Mapping) or not hasattr(value, "__len__"):
+        raise InvalidInput(f"{name}: must be a list, not {value!r}")
+    return value  # type: ignore[no-any-return]
+
+
+def _columns_of(names: Sequence[str], robot: Robot, start: npt.ArrayLike | None) -> list[int]:
+    """The variables of the joints of a message."""
+    number = {name: i for i, name in enumerate(robot.variables)}
+    for name in names:
+        if name not in number:
+            raise InvalidInput(
+                f"joint_names: {name!r} is no variable of the robot, which has {', '.join(robot.variables)}"
+            )
+    if len(set(names)) < len(names):
+        raise InvalidInput("joint_names: a name comes twice")
+    missing = [name for name in robot.variables if name not in names]
+    if start is None and missing:
+        raise InvalidInput(
+            f"joint_names: {missing[0]!r} is missing: give start, where joints stay that are not in the message"
+        )
+    if start is not None and np.shape(start) != (len(number),):
+        raise InvalidInput(f"start: the shape is {np.shape(start)}; ({len(number)},) is needed")
+    return [number[name] for name in names]
+
+
+def _point(number: int, point: Any, joints: int) -> Point:
+    states = []
+    for name in ("positions", "velocities", "accelerations"):
+        given = _get(point, name)
+        try:
+            values = np.asarray([] if given is None else given, np.float64)
+        except (TypeError, ValueError) as error:
+            raise InvalidInput(f"points: point {number}: {name}: not an array of numbers: {error}") from None
+        if values.shape not in ((0,), (joints,)):
+            raise InvalidInput(f"points: point {number}: {name}: {values.size} found, and joint_names has {joints}")
+        states.append(values)
+    has = [state.size == joints for state in states]
+    if not has[0]:
+        raise InvalidInput(
+            f"points: point {number}: has no positions; controllers that integrate velocities are not followed"
+        )
+    if has[2] and not has[1]:
+        raise InvalidInput(
+            f"points: point {number}: has accelerations and no velocities, for which controllers have no spline"
+        )
+    return _seconds(number, _get(point, "time_from_start")), [
+        state for state, given in zip(states, has, strict=True) if given
+    ]
+
+
+def _seconds(number: int, duration: Any) -> float:
+    """ROS 2 has sec and nanosec, ROS 1 secs and nsecs; others write the seconds."""
+    if isinstance(duration, int | float):
+        return float(duration)
+    parts = [[_get(duration, key) for key in keys] for keys in (("sec", "secs"), ("nanosec", "nsecs"))]
+    whole, rest = (next((float(value) for value in part if value is not None), None) for part in parts)
+    if whole is None and rest is None:
+        raise InvalidInput(
+            f"points: point {number}: time_from_start: has neither sec nor nanosec, and is no number of seconds"
+        )
+    return (whole or 0.0) + 1e-9 * (rest or 0.0)
+
+
+def _before(first: Point, robot: Robot, start: Array, columns: list[int], tolerance: float) -> list[Point]:
+    """The state before the first point, as far as that is elsewhere. It has no acceleration, so the way is no quintic."""
+    turns = np.round((first[1][0] - start[columns]) / (2 * np.pi)) * np.asarray(robot.continuous)[columns]
+    begin = start[columns] + 2 * np.pi * turns
+    if first[0] > 0:
+        return [(0.0, [begin, np.zeros_like(begin)][: min(len(first[1]), 2)])]
+    ways = np.abs(first[1][0] - begin)
+    if ways.max(initial=0) > tolerance:
+        name = robot.variables[columns[int(ways.argmax())]]
+        where = f"{name!r} is {ways.max():.3g} from where the robot starts, which is more than the tolerance of {tolerance:g}"
+        raise InvalidInput(f"points: point 0: is due at once, and {where}: give it a later time_from_start")
+    return [(first[0] - BEFORE, [begin])] if ways.any() else []
+
+
+def _whole(states: list[Array], rest: Array, columns: list[int]) -> list[Array]:
+    """Of all variables: those that are not in the message stay."""
+    result = [rest.copy(), *(np.zeros_like(rest) for _ in states[1:])]
+    for values, state in zip(result, states, strict=True):
+        values[columns] = state
+    return result
+
+
+def _path(robot: Robot, times: list[float], points: list[list[Array]]) -> JointPath:
+    orders = {min(len(a), len(b)) for a, b in zip(points[:-1], points[1:], strict=True)}
+    rows = [np.array([point[order] for point in points]) for order in range(min(len(point) for point in points))]
+    turns = np.abs(np.diff(rows[0], axis=0))[:, np.asarray(robot.continuous, bool)]
+    if orders == {3}:
+        return JointPath.quintic(robot, times, *rows[:3])
+    if orders == {2}:
+        return JointPath.cubic(robot, times, *rows[:2])
+    if orders == {1} and not (turns >= np.pi).any():
+        return JointPath.straight(robot, rows[0], times)
+    return _mixed_path(robot, times, points)
+
+
+def _mixed_path(robot: Robot, times: list[float], points: list[list[Array]]) -> JointPath:
+    """Segments of different orders. Coefficients are computed in rational numbers, and rounded once."""
+    JointPath.straight(robot, [point[0] for point in points], times)  # refuses times and values that cannot be used
+    coefficients = np.zeros((6, len(points) - 1, len(robot.variables)))
+    for s, (a, b) in enumerate(zip(points[:-1], points[1:], strict=True)):
+        duration, order = Fraction(times[s + 1]) - Fraction(times[s]), min(len(a), len(b))
+        for i in range(len(robot.variables)):
+            ends = [[Fraction(float(state[i])) for state in point[:order]] for point in (a, b)]
+            for power, number in enumerate(_hermite(duration, *ends)):
+                coefficients[5 - power, s, i] = float(number)
+    return path_of(robot, times, coefficients)
+
+
+def _hermite(duration: Fraction, start: list[Fraction], goal: list[Fraction]) -> list[Fraction]:
+    """The polynomial in time through the given positions, velocities and accelerations at both ends."""
+    t, d = duration, goal[0] - start[0]
+    if len(start) == 1:
+        return [start[0], d / t]
+    v, w = start[1] * t, goal[1] * t
+    if len(start) == 2:
+        scaled = [start[0], v, 3 * d - 2 * v - w, v + w - 2 * d]
+    else:
+        a, b = start[2] * t * t, goal[2] * t * t
+        scaled = [start[0], v, a / 2, 10 * d - 6 * v - 4 * w - 3 * a / 2 + b / 2]
+        scaled += [8 * v + 7 * w + 3 * a / 2 - b - 15 * d, 6 * d - 3 * (v + w) - a / 2 + b / 2]
+    return [number / t**power for power, number in enumerate(scaled)]
