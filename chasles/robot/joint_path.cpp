@@ -291,14 +291,25 @@ JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> 
     return path;
 }
 
+namespace {
+
+/// Whether a segment begins where the one before ends, up to rounding of the values or of the terms that they are the sum of.
+bool continues(const JointPath::Segment& before, const JointPath::Segment& segment) {
+    const Configuration end = value_at(before, 1), begin = value_at(segment, 0);
+    const Configuration terms = before.coefficients.cwiseAbs().colwise().sum();
+    return segment.begin == before.end &&
+           (begin.isApprox(end, 1e-9) || ((begin - end).cwiseAbs().array() <= 0x1p-48 * terms.array()).all());
+}
+
+} // namespace
+
 JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segments) {
     check_no_quaternion(robot.model());
     if (segments.empty())
         refuse("segments", "there is none");
     for (std::size_t s = 0; s < segments.size(); ++s) {
         check_segment(robot.model(), segments[s], numbered("segment", s));
-        if (s > 0 && (segments[s - 1].end != segments[s].begin ||
-                      !value_at(segments[s], 0).isApprox(value_at(segments[s - 1], 1), 1e-9)))
+        if (s > 0 && !continues(segments[s - 1], segments[s]))
             refuse(numbered("segment", s), "does not begin where the one before ends");
     }
     return {std::move(segments), {}, robot.model().variables_of_paths, Knots::none};

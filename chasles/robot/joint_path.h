@@ -68,7 +68,7 @@ public:
     static JointPath natural_spline(const Robot& robot, std::span<const double> times,
                                     std::span<const Configuration> positions);
     /// Any polynomials. Throws InvalidInput for floating joints, and for a segment that does not begin where the one
-    /// before ends (1e-9 of the sizes).
+    /// before ends (1e-9 of the sizes, or a few roundings of its terms).
     static JointPath polynomials(const Robot& robot, std::vector<Segment> segments);
 
     /// By the names of robots: a path, or the configuration at which the robot rests.

@@ -25,7 +25,6 @@ from .articles import with_article
 from .drake_joints import name_of_body, tree_of
 from .drake_polynomials import polynomials_of
 from .drake_shapes import body_of
-from .joint_polynomials import path_of
 from .primitive_shapes import Array
 from .robot_tree import Tree
 
@@ -167,7 +166,7 @@ def joint_path(
     resting = coefficients[:, :, sorted(set(every.tolist()) - set(tree.columns))]
     if np.abs(resting[:-1]).max(initial=0) > 1e-9 or np.abs(np.diff(resting[-1], axis=0)).max(initial=0) > 1e-9:
         raise InvalidInput("trajectory: moves a free body that rests in the robot: make the robot without `rest`")
-    return path_of(robot, breaks, coefficients[:, :, np.array(tree.columns, np.int64)])
+    return JointPath.polynomials(robot, breaks, coefficients[:, :, np.array(tree.columns, np.int64)])
 
 
 def _tree_like(robot: Robot, plant: MultibodyPlant) -> Tree:

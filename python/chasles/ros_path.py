@@ -10,7 +10,6 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput, JointPath, Robot
-from .joint_polynomials import path_of
 
 Array = npt.NDArray[np.float64]
 Point = tuple[float, list[Array]]  # its time, and its positions, velocities and accelerations as far as it has them
@@ -192,7 +191,7 @@ def _mixed_path(robot: Robot, times: list[float], points: list[list[Array]]) -> 
             ends = [[Fraction(float(state[i])) for state in point[:order]] for point in (a, b)]
             for power, number in enumerate(_hermite(duration, *ends)):
                 coefficients[5 - power, s, i] = float(number)
-    return path_of(robot, times, coefficients)
+    return JointPath.polynomials(robot, times, coefficients)
 
 
 def _hermite(duration: Fraction, start: list[Fraction], goal: list[Fraction]) -> list[Fraction]:
