@@ -21,7 +21,7 @@ struct BodyParts {
     std::vector<Eigen::Vector3d> vertices;
     FlatLists<std::uint32_t> outlines;
     std::vector<std::uint32_t> source; ///< input ids of the faces; empty if every face keeps its input id
-    FaceOutlines closing; ///< dropped faces without area that close gaps of the surface
+    FaceOutlines closing;              ///< dropped faces without area that close gaps of the surface
     FlatLists<std::uint32_t> triangles;
     FlatLists<std::uint32_t> owned_vertices;
     FlatLists<Edge> owned_edges;

@@ -76,9 +76,8 @@ Polyhedron Polyhedron::from_outlines(std::span<const Eigen::Vector3d> vertices,
 Polyhedron Polyhedron::with_radius(double radius) const {
     check_radius(radius);
     const Solid solid = body_->volume().is_solid() ? Solid::automatic : Solid::no;
-    return Polyhedron(
-        std::make_shared<const Body>(radius < 0 ? moved(*body_, {.solid = solid, .radius = radius})
-                                                : chasles::with_radius(body_->parts(), radius)));
+    return Polyhedron(std::make_shared<const Body>(radius < 0 ? moved(*body_, {.solid = solid, .radius = radius})
+                                                              : chasles::with_radius(body_->parts(), radius)));
 }
 
 Polyhedron Polyhedron::with_sources(std::span<const std::uint32_t> source_faces, double moved_inwards) const {

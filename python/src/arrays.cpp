@@ -146,7 +146,8 @@ std::string about_objects(const nb::object& array) {
     const nb::object number = nb::module_::import_("numbers").attr(is_real ? "Real" : "Integral");
     const auto [first, index] = first_misfit(array, number);
     if (!first.is_valid())
-        return std::string("; its entries are numbers, and array.astype(") + (is_real ? "float" : "int") + ") makes one";
+        return std::string("; its entries are numbers, and array.astype(") + (is_real ? "float" : "int") +
+               ") makes one";
     if (first.is_none()) {
         const nb::object place = nb::module_::import_("numpy").attr("unravel_index")(index, array.attr("shape"));
         std::string text;

@@ -153,9 +153,8 @@ void set_state(Body& body, const nb::tuple& state) {
     constexpr std::size_t parts = 7;
     if (state.size() != parts)
         throw InvalidInput("state: not that of a chasles.Polyhedron");
-    const PolyhedronOptions options{.threads = nb::cast<unsigned>(state[2]),
-                                    .solid = solid_from(state[3]),
-                                    .radius = nb::cast<double>(state[4])};
+    const PolyhedronOptions options{
+        .threads = nb::cast<unsigned>(state[2]), .solid = solid_from(state[3]), .radius = nb::cast<double>(state[4])};
     Body made = body_from(state[0], state[1], options);
     if (!state[5].is_none())
         made.polyhedron =

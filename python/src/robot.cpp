@@ -56,8 +56,7 @@ nb::list collisions_of(const PythonRobot& robot, const std::string& link) {
         throw InvalidInput("robot: " + link + ": there is no such link");
     nb::list shapes;
     for (const CollisionDescription& shape : found->collisions)
-        shapes.append(
-            nb::make_tuple(nb::cast(Body{shape.shape}), matrix_of(shape.origin), shape.deviation));
+        shapes.append(nb::make_tuple(nb::cast(Body{shape.shape}), matrix_of(shape.origin), shape.deviation));
     return shapes;
 }
 
