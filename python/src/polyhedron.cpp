@@ -149,17 +149,28 @@ nb::tuple state_of(nb::handle self) {
                           has_sources ? index_array(sources, {sources.size()}) : nb::none(), report.moved_inwards);
 }
 
-void set_state(Body& body, const nb::tuple& state) {
-    constexpr std::size_t parts = 7;
-    if (state.size() != parts)
-        throw InvalidInput("state: not that of a chasles.Polyhedron");
+Body body_of_state(const nb::tuple& state) {
     const PolyhedronOptions options{
         .threads = nb::cast<unsigned>(state[2]), .solid = solid_from(state[3]), .radius = nb::cast<double>(state[4])};
-    Body made = body_from(state[0], state[1], options);
-    if (!state[5].is_none())
-        made.polyhedron =
-            made.polyhedron.with_sources(nb::cast<std::vector<std::uint32_t>>(state[5]), nb::cast<double>(state[6]));
-    new (&body) Body(std::move(made));
+    Body body = body_from(state[0], state[1], options);
+    if (const nb::object sources = state[5]; !sources.is_none()) {
+        const IndexArray ids(sources, "state");
+        body.polyhedron = body.polyhedron.with_sources(
+            std::vector<std::uint32_t>(ids.numbers().begin(), ids.numbers().end()), nb::cast<double>(state[6]));
+    }
+    return body;
+}
+
+void set_state(Body& body, const nb::tuple& state) {
+    constexpr std::size_t parts = 7;
+    try {
+        if (state.size() == parts) {
+            new (&body) Body(body_of_state(state));
+            return;
+        }
+    } catch (const nb::cast_error&) { // another type
+    }
+    throw InvalidInput("state: is not that of a polyhedron");
 }
 
 std::string repr(const Body& body) {

@@ -128,6 +128,8 @@ def test_other_processes_have_the_same_body():
 
 
 def test_wrong_states_are_refused():
-    for state in ((), (GAP_VERTICES, GAP_FACES, 0, "yes", 0.0, [1, 2], 0.0)):
-        with pytest.raises(chasles.InvalidInput, match=r"^state: |^mesh: 2 ids of faces for 6 outlines"):
+    good = (GAP_VERTICES, GAP_FACES, 0, "yes", 0.0, None, 0.0)
+    chasles.Polyhedron.__new__(chasles.Polyhedron).__setstate__(good)
+    for state in ((), good[:-1], (*good[:2], "0", *good[3:]), (*good[:5], [1, 2], 0.0), (*good[:4], None, None, 0.0)):
+        with pytest.raises(chasles.InvalidInput, match=r"^state: is not that of|^mesh: 2 ids of faces for 6 outlines"):
             chasles.Polyhedron.__new__(chasles.Polyhedron).__setstate__(state)
