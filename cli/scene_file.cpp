@@ -36,16 +36,19 @@ public:
     Members(const Json& object, std::initializer_list<const char*> keys) : object_(object) {
         if (!object.is_object())
             refuse("must be an object");
-        for (const auto& [key, value] : object.items())
+        for (const auto& [key, value] : object.items()) {
             if (std::ranges::find(keys, key) == keys.end())
                 refuse("unknown key " + io::in_quotes(key) + "; the keys are " +
                        shortened({keys.begin(), keys.end()}, keys.size(), keys.size()));
+            if (value.is_null())
+                refuse(key + ": is null, which is no value; leave the key out");
+        }
     }
 
-    /// Null if it is missing or null.
+    /// A null pointer if it is missing.
     [[nodiscard]] const Json* find(const char* key) const {
         const auto found = object_.find(key);
-        return found == object_.end() || found->is_null() ? nullptr : &*found;
+        return found == object_.end() ? nullptr : &*found;
     }
     [[nodiscard]] const Json& get(const char* key) const {
         const Json* value = find(key);

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Ids = std::array<std::uint32_t, 2>;
 
-/// More vertices than this have balls of eight triangles.
-constexpr std::size_t few = 1'000;
+/// The balls and tubes of a body have at most so many triangles, as long as they stay round to the eye.
+constexpr std::size_t enough = 40'000;
 /// So many balls, and so many tubes, are drawn at most.
 constexpr std::size_t most = 20'000;
 
@@ -53,13 +53,22 @@ std::vector<Part> sample(const std::vector<Part>& parts) {
     return chosen;
 }
 
+/// So many corners has a tube around it; a ball has rings of so many.
+int sides_of(const RoundParts& parts) {
+    const std::size_t balls = std::min(parts.vertices.size(), most), tubes = std::min(parts.edges.size(), most);
+    for (const std::size_t sides : {24U, 16U, 12U, 8U, 6U})
+        if (balls * sides * sides + tubes * 2 * sides <= enough)
+            return int(sides);
+    return 4;
+}
+
 class RoundSurface {
 public:
     RoundSurface(DrawnMesh& drawn, const Polyhedron& body) : drawn_(drawn), body_(body), radius_(body.radius()) {}
 
     void add() {
         const RoundParts parts = parts_of(body_);
-        const int sides = parts.vertices.size() <= few ? 24 : 4;
+        const int sides = sides_of(parts);
         for (const std::uint32_t vertex : sample(parts.vertices))
             add_rings(place(vertex), Vector3d::Zero(), sides);
         for (const auto& [from, to] : sample(parts.edges))

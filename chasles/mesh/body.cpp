@@ -64,7 +64,8 @@ std::span<const VertexBlock> Body::vertex_blocks() const {
 }
 
 std::size_t Body::memory() const {
-    return sizeof(Body) + parts_.outlines.memory() + parts_.source.capacity() * sizeof(std::uint32_t) +
+    const std::size_t ids = parts_.source.capacity() + parts_.closing.source.capacity();
+    return sizeof(Body) + parts_.outlines.memory() + parts_.closing.outlines.memory() + ids * sizeof(std::uint32_t) +
            parts_.triangles.memory() + parts_.owned_vertices.memory() + parts_.owned_edges.memory() +
            parts_.bvh.memory() + parts_.volume.memory();
 }

@@ -5,6 +5,7 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/hierarchy/bvh.h"
 #include "chasles/mesh/edge.h"
+#include "chasles/mesh/face_outlines.h"
 #include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/mesh/vertex_blocks.h"
@@ -20,6 +21,7 @@ struct BodyParts {
     std::vector<Eigen::Vector3d> vertices;
     FlatLists<std::uint32_t> outlines;
     std::vector<std::uint32_t> source; ///< input ids of the faces; empty if every face keeps its input id
+    FaceOutlines closing;              ///< dropped faces without area that close gaps of the surface
     FlatLists<std::uint32_t> triangles;
     FlatLists<std::uint32_t> owned_vertices;
     FlatLists<Edge> owned_edges;
@@ -52,6 +54,9 @@ public:
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const {
         return parts_.source.empty() ? static_cast<std::uint32_t>(face) : parts_.source[face];
     }
+
+    /// The dropped faces that close gaps of the surface, where a vertex lies on an edge of another face.
+    [[nodiscard]] const FaceOutlines& closing() const { return parts_.closing; }
 
     /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
     /// Empty for a convex face. The inner diagonals are not edges of the body.
@@ -88,6 +93,9 @@ public:
     [[nodiscard]] double ball_radius() const { return ball_radius_; }
 
     [[nodiscard]] const MeshReport& report() const { return parts_.report; }
+
+    /// All data, for a copy that differs in some of it.
+    [[nodiscard]] const BodyParts& parts() const { return parts_; }
 
     /// Bytes held, not counting the vertices.
     [[nodiscard]] std::size_t memory() const;

@@ -91,6 +91,11 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices, bool is_round) {
                            (lower == upper && !is_round ? "; a point needs a radius above 0" : ""));
 }
 
+void refuse_without_area() {
+    throw InvalidInput(
+        "mesh: no face has an area, so the mesh has no surface; points and segments need a radius above 0");
+}
+
 void SortedFaces::append(Outline& corners, std::uint32_t source, std::span<const Eigen::Vector3d> vertices) {
     const auto repeated = std::ranges::unique(corners);
     corners.erase(repeated.begin(), repeated.end());
@@ -114,8 +119,7 @@ SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<cons
         sorted.append(corners, index, vertices);
     }
     if (sorted.proper.source.empty() && !is_round)
-        throw InvalidInput(
-            "mesh: no face has an area, so the mesh has no surface; points and segments need a radius above 0");
+        refuse_without_area();
     return sorted;
 }
 

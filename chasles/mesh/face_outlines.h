@@ -39,6 +39,9 @@ struct SortedFaces {
 /// body may be a single point.
 void check_vertices(std::span<const Eigen::Vector3d> vertices, bool is_round);
 
+/// Throws InvalidInput: a mesh without area needs a radius.
+[[noreturn]] void refuse_without_area();
+
 /// Replaces each index by the index of the first equal vertex, removes corners that repeat the previous corner, and
 /// sorts proper faces from collapsed faces by exact tests. Throws InvalidInput for an index out of range, for a face of
 /// fewer than three corners, and if no face has an area, unless the body is round.

@@ -123,15 +123,23 @@ struct OpenEdges {
     std::vector<UnpairedEdge> unpaired;
 };
 
-/// A face without area closes the gap between an edge and two edges that meet on it.
-OpenEdges open_edges(const PolygonFaces& polygons, const MeshEdges& edges, std::size_t vertex_count) {
-    const FlatLists<std::uint32_t>& collapsed = polygons.collapsed.outlines;
-    if (edges.unpaired.empty() || collapsed.size() == 0)
+/// Faces without area that may close a gap between an edge and two edges that meet on it. Faces with two corners run
+/// along their edge in both directions and close nothing.
+FaceOutlines closing_faces(const FaceOutlines& collapsed, const MeshEdges& edges) {
+    FaceOutlines closing;
+    for (std::size_t face = 0; face < collapsed.source.size() && !edges.unpaired.empty(); ++face)
+        if (collapsed.outlines[face].size() > 2)
+            closing.append(collapsed.outlines[face], collapsed.source[face]);
+    return closing;
+}
+
+OpenEdges open_edges(const FlatLists<std::uint32_t>& kept, const FlatLists<std::uint32_t>& closing,
+                     const MeshEdges& edges, std::size_t vertex_count) {
+    if (closing.size() == 0)
         return {edges.boundary > 0, edges.unpaired};
-    FlatLists<std::uint32_t> given = polygons.faces.outlines;
-    for (std::size_t face = 0; face < collapsed.size(); ++face)
-        if (collapsed[face].size() > 1)
-            given.append(collapsed[face]);
+    FlatLists<std::uint32_t> given = kept;
+    for (std::size_t face = 0; face < closing.size(); ++face)
+        given.append(closing[face]);
     MeshEdges all = collect_edges(given, vertex_count);
     return {all.boundary > 0, std::move(all.unpaired)};
 }
@@ -164,7 +172,8 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
 
     BodyParts parts;
     parts.report = make_report(polygons, edges);
-    const OpenEdges open = open_edges(polygons, edges, vertices.size());
+    parts.closing = closing_faces(polygons.collapsed, edges);
+    const OpenEdges open = open_edges(outlines, parts.closing.outlines, edges, vertices.size());
     parts.report.closed = !open.have_boundary;
     parts.report.vertices = vertices.size();
     parts.report.distinct_vertices = distinct_vertices;
@@ -187,6 +196,15 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.report.radius = options.radius;
     add_bounding_box(parts, parts.report);
     add_bvh(parts.bvh, parts.report);
+    return parts;
+}
+
+BodyParts with_radius(BodyParts parts, double radius) {
+    check_vertices(parts.vertices, radius > 0);
+    if (parts.report.segments == parts.report.faces && radius == 0)
+        refuse_without_area();
+    parts.report.radius = radius;
+    add_bounding_box(parts, parts.report);
     return parts;
 }
 

@@ -11,4 +11,7 @@ namespace chasles {
                                   std::span<const std::span<const std::uint32_t>> faces,
                                   const PolyhedronOptions& options);
 
+/// The same body with another radius, at least 0. Throws InvalidInput if the body has no area and no radius.
+[[nodiscard]] BodyParts with_radius(BodyParts parts, double radius);
+
 } // namespace chasles

@@ -75,10 +75,21 @@ Polyhedron Polyhedron::from_outlines(std::span<const Eigen::Vector3d> vertices,
 
 Polyhedron Polyhedron::with_radius(double radius) const {
     check_radius(radius);
-    const PolyhedronOptions options{
-        .triangulate = true, .solid = body_->volume().is_solid() ? Solid::automatic : Solid::no, .radius = radius};
-    return Polyhedron(
-        std::make_shared<const Body>(radius < 0 ? moved(*body_, options) : made_again(*body_, vertices(), options)));
+    const Solid solid = body_->volume().is_solid() ? Solid::automatic : Solid::no;
+    return Polyhedron(std::make_shared<const Body>(radius < 0 ? moved(*body_, {.solid = solid, .radius = radius})
+                                                              : chasles::with_radius(body_->parts(), radius)));
+}
+
+Polyhedron Polyhedron::with_sources(std::span<const std::uint32_t> source_faces, double moved_inwards) const {
+    BodyParts parts = body_->parts();
+    const std::size_t faces = parts.outlines.size(), closing = parts.closing.source.size();
+    if (source_faces.size() != faces + closing)
+        throw InvalidInput("mesh: " + std::to_string(source_faces.size()) + " ids of faces for " +
+                           std::to_string(faces + closing) + " outlines");
+    parts.source.assign(source_faces.begin(), source_faces.begin() + std::ptrdiff_t(faces));
+    parts.closing.source.assign(source_faces.begin() + std::ptrdiff_t(faces), source_faces.end());
+    parts.report.moved_inwards = moved_inwards;
+    return Polyhedron(std::make_shared<const Body>(std::move(parts)));
 }
 
 Polyhedron::Polyhedron(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
@@ -114,8 +125,16 @@ std::vector<std::array<std::uint32_t, 3>> Polyhedron::triangles(std::size_t face
     return triangles;
 }
 
+std::vector<std::span<const std::uint32_t>> Polyhedron::outlines() const {
+    Outlines outlines = outlines_of(*body_);
+    const FlatLists<std::uint32_t>& closing = body_->closing().outlines;
+    for (std::size_t face = 0; face < closing.size(); ++face)
+        outlines.push_back(closing[face]);
+    return outlines;
+}
+
 std::uint32_t Polyhedron::source_face(std::size_t face) const {
-    return body_->source_face(face);
+    return face < face_count() ? body_->source_face(face) : body_->closing().source[face - face_count()];
 }
 
 double Polyhedron::radius() const {

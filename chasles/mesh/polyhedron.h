@@ -116,8 +116,18 @@ public:
     /// outline a, b, b of its two vertices; a single point is p, p, p.
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const;
 
-    /// The id of a face in the input. It differs from `face` only if there are faces without area or cut polygons.
+    /// Outlines from which `from_outlines` makes this body again: its faces, then dropped faces without area that close
+    /// gaps of the surface, where a vertex lies on an edge of another face. Without these the body may not be solid.
+    [[nodiscard]] std::vector<std::span<const std::uint32_t>> outlines() const;
+
+    /// The id of a face in the input. `face` is below outlines().size(). It differs from `face` only if there are faces
+    /// without area or cut polygons.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const;
+
+    /// For a body that was made again from `outlines`: the same body with the input ids of the first one, one for each
+    /// outline, and with its report().moved_inwards, which may change answers. Throws InvalidInput for another number
+    /// of ids.
+    [[nodiscard]] Polyhedron with_sources(std::span<const std::uint32_t> source_faces, double moved_inwards) const;
 
     /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
     /// Empty for a convex face. The inner diagonals are not edges of the body.

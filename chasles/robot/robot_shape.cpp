@@ -21,8 +21,9 @@ public:
         const auto first = std::uint32_t(vertices_.size());
         for (const Eigen::Vector3d& vertex : shape.vertices())
             vertices_.emplace_back(pose * vertex);
-        for (std::size_t face = 0; face < shape.face_count(); ++face)
-            add_face(shape, face, first);
+        const auto outlines = shape.outlines();
+        for (std::size_t face = 0; face < outlines.size(); ++face)
+            add_face(shape, face, {outlines[face].begin(), outlines[face].end()}, first);
     }
 
     [[nodiscard]] bool is_empty() const { return faces_.empty(); }
@@ -32,12 +33,11 @@ public:
     }
 
 private:
-    /// Whole if it is still planar, else in triangles, which are planar always.
-    void add_face(const Polyhedron& shape, std::size_t face, std::uint32_t first) {
-        CornerIds corners(shape.face(face).begin(), shape.face(face).end());
+    /// Whole if it is still planar or closes a gap only, else in triangles, which are planar always.
+    void add_face(const Polyhedron& shape, std::size_t face, CornerIds corners, std::uint32_t first) {
         for (std::uint32_t& corner : corners)
             corner += first;
-        if (is_planar(corners)) {
+        if (face >= shape.face_count() || is_planar(corners)) {
             faces_.push_back(std::move(corners));
             return;
         }

@@ -123,11 +123,20 @@ export function fromBufferGeometry(border, geometry, options) {
   return fromArrays(border, vertices, cornersOf(geometry, triangles), options);
 }
 
+/** Without bones and weights, a SkinnedMesh has no shape that is drawn. */
+function refuseUnbound({ geometry, skeleton }) {
+  for (const name of ["skinIndex", "skinWeight"])
+    if (!geometry.attributes[name])
+      refuse(`object: is a SkinnedMesh, and its geometry has no attribute ${name}: a Mesh of the geometry is at rest`);
+  if (!skeleton) refuse("object: is a SkinnedMesh without a skeleton: mesh.bind(skeleton) gives it one");
+}
+
 /** Places of a mesh's vertices in its own frame, with morph targets and bones as they are now. */
 function deformed(mesh, vertices) {
   const hasTargets = mesh.geometry.morphAttributes?.position?.length > 0;
   if (!hasTargets && !mesh.isSkinnedMesh) return vertices;
   if (typeof mesh.getVertexPosition !== "function") refuse("object: is deformed, and has no getVertexPosition");
+  if (mesh.isSkinnedMesh) refuseUnbound(mesh);
   for (const bone of mesh.skeleton?.bones ?? []) updateWorld(bone);
   if (mesh.isSkinnedMesh) {
     updateWorld(mesh);

@@ -286,7 +286,8 @@ export interface BodyOptions {
 export interface Polyhedron extends Held {}
 /**
  * A polyhedral surface. It never changes; scenes and hands that use it keep it. It is a handle of memory in the instance: `structuredClone`,
- * `postMessage` and `JSON.stringify` keep nothing of it. Send its `vertices` and `faces`: `polyhedron` makes the body again.
+ * `postMessage` and `JSON.stringify` keep nothing of it. Send its `vertices` and `faces`: `polyhedron` makes the body again, with
+ * `report.radius` as its `radius`, and `solid: "no"` if it was made so.
  *
  * Its arrays are made at the first read, and later reads give the same arrays. `report` and `faces` are frozen. A write to a typed array
  * changes nothing of the body, only what later reads give: take a copy (`slice()`) to write.
@@ -296,7 +297,7 @@ export declare class Polyhedron {
   readonly report: MeshReport;
   /** x y z of each vertex. */
   readonly vertices: Float64Array;
-  /** The outline of each face. */
+  /** The outline of each face: `report.faces` of the body, then dropped faces without area that close gaps of the surface. */
   readonly faces: readonly (readonly number[])[];
   /** Triangles that cover the faces, three vertex ids each. */
   readonly triangles: Uint32Array;

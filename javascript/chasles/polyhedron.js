@@ -4,7 +4,7 @@ import { InvalidInput } from "./errors.js";
 import { given, Held } from "./held.js";
 import { asBytes, checkOptions, converted, isArrayBuffer, isList, number, shown, text, wayOut } from "./values.js";
 
-const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
+const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4 };
 const solids = ["automatic", "yes", "no"];
 const largestIndex = 2 ** 32 - 1;
 
@@ -37,16 +37,17 @@ export class Polyhedron extends Held {
 
   /** The arrays that make the same body, with the same ids, in another instance. */
   static copy(body) {
-    const given = part(body, "given");
-    const [triangulate, solid, radius, count] = given;
-    const sizes = new Uint32Array(given.subarray(4, 4 + count));
-    const corners = new Uint32Array(given.subarray(4 + count));
-    return { vertices: part(body, "vertices"), sizes, corners, options: [triangulate, solid, radius] };
+    const { solid_parts, inward_parts, radius, moved_inwards } = body.report;
+    const faces = part(body, "faces");
+    const sizes = new Uint32Array(faces.subarray(1, 1 + faces[0]));
+    const corners = new Uint32Array(faces.subarray(1 + faces[0]));
+    const solid = solids.indexOf(solid_parts + inward_parts > 0 ? "automatic" : "no");
+    return { vertices: part(body, "vertices"), sizes, corners, ids: new Uint32Array(part(body, "sourceFaces")), options: [solid, radius, moved_inwards] };
   }
-  static ofCopy(border, { vertices, sizes, corners, options }) {
+  static ofCopy(border, { vertices, sizes, corners, ids, options }) {
     border.giveNumbers(vertices);
-    border.giveBytes(asBytes(sizes, "faces"), asBytes(corners, "faces"));
-    return new Polyhedron(border, border.call("body_from_arrays", sizes.length, ...options));
+    border.giveBytes(asBytes(sizes, "faces"), asBytes(corners, "faces"), asBytes(ids, "faces"));
+    return new Polyhedron(border, border.call("body_again", sizes.length, ...options));
   }
 }
 
@@ -72,15 +73,19 @@ function bodyOptions(options) {
   return [triangulate ? 1 : 0, solids.indexOf(solid), number(radius, "radius")];
 }
 
-function refuseDetached(array, name) {
-  if (ArrayBuffer.isView(array)) asBytes(array, name);
+/** Typed arrays that cannot be read: their bytes are gone, or no entry is a number. */
+function refuseUnreadable(array, name) {
+  if (!ArrayBuffer.isView(array)) return;
+  asBytes(array, name);
+  const kind = Object.prototype.toString.call(array).slice(8, -1);
+  if (kind.startsWith("Big")) throw new InvalidInput(`${name}: a ${kind} holds no numbers: Float64Array.from(${name}, Number) makes them`);
 }
 
 /** Points as one array of numbers: a typed array, which is used in place, or an array of numbers or of points. */
 function flatPoints(vertices, name = "vertices") {
   if (!isList(vertices)) throw new InvalidInput(`${name}: must be an array of numbers or of points`);
-  refuseDetached(vertices, name);
-  if (ArrayBuffer.isView(vertices)) return typeof vertices[0] === "bigint" ? converted(Float64Array, vertices, Number) : vertices;
+  refuseUnreadable(vertices, name);
+  if (ArrayBuffer.isView(vertices)) return vertices;
   if (typeof vertices[0] === "number") return converted(Float64Array, vertices, (x, i) => number(x, `${name}[${i}]`));
   const numbers = new Float64Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) {
@@ -102,7 +107,7 @@ function index(value, ...place) {
 /** Faces as the numbers of their corners, and all corners. */
 function flatFaces(faces) {
   if (!isList(faces)) throw new InvalidInput("faces: must be an array of indices or of faces");
-  refuseDetached(faces, "faces");
+  if (ArrayBuffer.isView(faces)) asBytes(faces, "faces");
   if (!ArrayBuffer.isView(faces) && isList(faces[0])) return polygonFaces(faces);
   if (faces.length % 3 !== 0)
     throw new InvalidInput(`faces: ${faces.length} indices are no triangles of 3 corners each`);
@@ -124,7 +129,11 @@ function polygonFaces(faces) {
 
 export function fromArrays(border, vertices, faces, options) {
   const numbers = bodyOptions(options);
-  return Polyhedron.ofCopy(border, { vertices: flatPoints(vertices), ...flatFaces(faces), options: numbers });
+  const points = flatPoints(vertices);
+  const { sizes, corners } = flatFaces(faces);
+  border.giveNumbers(points);
+  border.giveBytes(asBytes(sizes, "faces"), asBytes(corners, "faces"));
+  return new Polyhedron(border, border.call("body_from_arrays", sizes.length, ...numbers));
 }
 
 function positive(value, name) {

@@ -46,11 +46,18 @@ export const isArrayBuffer = (value) => Object.prototype.toString.call(value) ==
 
 /** The bytes of a buffer, or of a view of one, in place. */
 export function asBytes(given, name) {
-  const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(given) ? given : { buffer: given };
   try {
+    if (isList(given)) Uint8Array.prototype.keys.call(given); // throws if its bytes are gone
+    const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(given) ? given : { buffer: given };
     return new Uint8Array(buffer, byteOffset, byteLength);
   } catch {
-    throw new InvalidInput(`${name}: is detached: its bytes belong to another thread now, as after postMessage`);
+    const { maxByteLength, byteLength } = given.buffer ?? given; // 0 once it is detached
+    const isShort = (maxByteLength ?? byteLength) > 0;
+    throw new InvalidInput(
+      isShort
+        ? `${name}: lies beyond the end of its buffer, which was made shorter by resize`
+        : `${name}: is detached: its bytes belong to another thread now, as after postMessage`,
+    );
   }
 }
 
@@ -64,7 +71,13 @@ export function wayOut(value) {
 
 export function shown(value) {
   if (typeof value === "bigint") return `${value}n`;
-  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value).replace(/\s+/g, " ");
+  if (typeof value === "string") return JSON.stringify(value);
+  if (Array.isArray(value)) return "an array";
+  try {
+    return String(value).replace(/\s+/g, " ");
+  } catch {
+    return "an object"; // without a text, as a Proxy of a typed array
+  }
 }
 
 /** A typed array of the entries. `from` of a typed array makes an Array of them first, and a long Array ends the process. */

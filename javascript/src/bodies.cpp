@@ -1,4 +1,5 @@
 // Bodies: from arrays, from the content of files, and back to arrays.
+#include "chasles/base/flat_lists.h"
 #include "chasles/io/mesh_bytes.h"
 #include "chasles/io/text_scan.h"
 #include "javascript/src/border.h"
@@ -10,8 +11,8 @@
 
 namespace chasles::javascript {
 
-Handles<HeldBody>& bodies() {
-    static Handles<HeldBody> held("polyhedron");
+Handles<Polyhedron>& bodies() {
+    static Handles<Polyhedron> held("polyhedron");
     return held;
 }
 
@@ -26,8 +27,13 @@ std::span<const Eigen::Vector3d> given_points() {
     return {reinterpret_cast<const Eigen::Vector3d*>(numbers.data()), numbers.size() / 3};
 }
 
-/// The faces in the bytes: the number of corners of each face, then the corners of all faces.
-FlatLists<std::uint32_t> given_faces(std::uint32_t count) {
+/// The faces in the bytes: the number of corners of each face, then the corners of all faces; and the numbers after them.
+struct GivenFaces {
+    FlatLists<std::uint32_t> faces;
+    std::vector<std::uint32_t> rest;
+};
+
+GivenFaces given_faces(std::uint32_t count) {
     const std::string_view bytes = given_bytes();
     const std::size_t size = bytes.size() / sizeof(std::uint32_t);
     if (count > size)
@@ -42,15 +48,7 @@ FlatLists<std::uint32_t> given_faces(std::uint32_t count) {
         faces.append(corners.first(numbers[face]));
         corners = corners.subspan(numbers[face]);
     }
-    return faces;
-}
-
-/// Whether no face was dropped or cut.
-bool has_given_ids(const Polyhedron& polyhedron) {
-    for (std::size_t face = 0; face < polyhedron.face_count(); ++face)
-        if (polyhedron.source_face(face) != face)
-            return false;
-    return polyhedron.report().dropped_faces == 0;
+    return {std::move(faces), {corners.begin(), corners.end()}};
 }
 
 PolyhedronOptions options_of(std::int32_t triangulate, std::int32_t solid, double radius) {
@@ -59,30 +57,17 @@ PolyhedronOptions options_of(std::int32_t triangulate, std::int32_t solid, doubl
     return {.triangulate = triangulate != 0, .solid = Solid(solid), .radius = radius};
 }
 
-HeldBody held(Polyhedron shape, const PolyhedronOptions& options, FlatLists<std::uint32_t> faces) {
-    if (has_given_ids(shape))
-        faces = {};
-    return {std::move(shape), options, std::move(faces)};
-}
-
-HeldBody body_from_arrays(std::uint32_t face_count, const PolyhedronOptions& options) {
-    FlatLists<std::uint32_t> faces = given_faces(face_count);
+Polyhedron body_of(const FlatLists<std::uint32_t>& faces, const PolyhedronOptions& options) {
     std::vector<std::span<const std::uint32_t>> outlines;
     for (std::size_t face = 0; face < faces.size(); ++face)
         outlines.push_back(faces[face]);
-    return held(Polyhedron::from_outlines(given_points(), outlines, options), options, std::move(faces));
+    return Polyhedron::from_outlines(given_points(), outlines, options);
 }
 
-HeldBody body_from_file(std::uint32_t name_size, const PolyhedronOptions& options) {
+Polyhedron body_from_file(std::uint32_t name_size, const PolyhedronOptions& options) {
     const std::string_view bytes = given_bytes();
     const std::string name = io::one_line(bytes.substr(0, name_size));
-    const std::string_view content = bytes.substr(std::min<std::size_t>(name_size, bytes.size()));
-    Polyhedron shape = io::read_polyhedron(content, name, options);
-    FlatLists<std::uint32_t> faces;
-    if (!has_given_ids(shape)) // reads it again, which is rare
-        for (const auto& face : io::read_polygons(content, name).faces)
-            faces.append(face);
-    return held(std::move(shape), options, std::move(faces));
+    return io::read_polyhedron(bytes.substr(std::min<std::size_t>(name_size, bytes.size())), name, options);
 }
 
 void write_report(Numbers& out, const MeshReport& report) {
@@ -104,18 +89,14 @@ void write_vertices(Numbers& out, const Polyhedron& shape) {
         write(out, vertex);
 }
 
-/// The number of corners of each face, then the corners of all faces.
-void write_lists(Numbers& out, const FlatLists<std::uint32_t>& lists) {
-    for (std::size_t list = 0; list < lists.size(); ++list)
-        out.push_back(double(lists[list].size()));
-    out.insert(out.end(), lists.items.begin(), lists.items.end());
-}
-
-FlatLists<std::uint32_t> outlines_of(const Polyhedron& shape) {
-    FlatLists<std::uint32_t> outlines;
-    for (std::size_t face = 0; face < shape.face_count(); ++face)
-        outlines.append(shape.face(face));
-    return outlines;
+/// The number of faces, the number of corners of each face, then the corners of all faces.
+void write_faces(Numbers& out, const Polyhedron& shape) {
+    const auto outlines = shape.outlines();
+    out.push_back(double(outlines.size()));
+    for (const auto outline : outlines)
+        out.push_back(double(outline.size()));
+    for (const auto outline : outlines)
+        out.insert(out.end(), outline.begin(), outline.end());
 }
 
 /// Triangles that cover the faces: three vertex ids each.
@@ -125,33 +106,22 @@ void write_triangles(Numbers& out, const Polyhedron& shape) {
             out.insert(out.end(), triangle.begin(), triangle.end());
 }
 
-enum class Part : std::uint8_t { report, vertices, faces, triangles, source_faces, given };
+enum class Part : std::uint8_t { report, vertices, faces, triangles, source_faces };
 
-void write_part(Numbers& out, const HeldBody& body, Part part) {
+void write_part(Numbers& out, const Polyhedron& shape, Part part) {
     switch (part) {
     case Part::report:
-        return write_report(out, body.shape.report());
+        return write_report(out, shape.report());
     case Part::vertices:
-        return write_vertices(out, body.shape);
+        return write_vertices(out, shape);
     case Part::faces:
-        out.push_back(double(body.shape.face_count()));
-        return write_lists(out, outlines_of(body.shape));
+        return write_faces(out, shape);
     case Part::triangles:
-        return write_triangles(out, body.shape);
+        return write_triangles(out, shape);
     case Part::source_faces:
-        for (std::size_t face = 0; face < body.shape.face_count(); ++face)
-            out.push_back(body.shape.source_face(face));
-        return;
-    case Part::given:
-        break;
+        for (std::size_t face = 0, count = shape.outlines().size(); face < count; ++face)
+            out.push_back(shape.source_face(face));
     }
-    const bool is_as_given = body.given_faces.size() == 0;
-    const FlatLists<std::uint32_t> faces = is_as_given ? outlines_of(body.shape) : body.given_faces;
-    out.push_back(body.options.triangulate || body.options.radius < 0 ? 1 : 0); // as the moved faces were
-    out.push_back(double(body.options.solid));
-    out.push_back(body.shape.radius());
-    out.push_back(double(faces.size()));
-    write_lists(out, faces);
 }
 
 } // namespace
@@ -162,8 +132,20 @@ namespace js = chasles::javascript;
 /// A body of the points in the numbers and the faces in the bytes. Returns its handle.
 CHASLES_JAVASCRIPT(body_from_arrays)(std::uint32_t face_count, std::int32_t triangulate, std::int32_t solid,
                                      double radius) {
-    return js::guarded(
-        [&] { return js::bodies().add(js::body_from_arrays(face_count, js::options_of(triangulate, solid, radius))); });
+    return js::guarded([&] {
+        return js::bodies().add(
+            js::body_of(js::given_faces(face_count).faces, js::options_of(triangulate, solid, radius)));
+    });
+}
+
+/// A copy of a body, from its points in the numbers, and its faces in the bytes with their ids behind them. Returns its
+/// handle.
+CHASLES_JAVASCRIPT(body_again)(std::uint32_t face_count, std::int32_t solid, double radius, double moved_inwards) {
+    return js::guarded([&] {
+        const js::GivenFaces given = js::given_faces(face_count);
+        return js::bodies().add(
+            js::body_of(given.faces, js::options_of(0, solid, radius)).with_sources(given.rest, moved_inwards));
+    });
 }
 
 /// A body of a mesh file: the bytes are its name and its content. Returns its handle.
@@ -175,7 +157,7 @@ CHASLES_JAVASCRIPT(body_from_file)(std::uint32_t name_size, std::int32_t triangu
 /// Answers with a part of a body.
 CHASLES_JAVASCRIPT(body_part)(std::int32_t body, std::int32_t part) {
     return js::answered([&](js::Numbers& out) {
-        if (part < 0 || part > std::int32_t(js::Part::given))
+        if (part < 0 || part > std::int32_t(js::Part::source_faces))
             throw chasles::InvalidInput("polyhedron: there is no such part");
         js::write_part(out, js::bodies().get(body), js::Part(part));
     });

@@ -14,8 +14,8 @@ struct TwoBodies {
 };
 
 TwoBodies bodies_in(NumbersIn& in) {
-    const Polyhedron& moving = bodies().get(in.number()).shape;
-    return {moving, bodies().get(in.number()).shape};
+    const Polyhedron& moving = bodies().get(in.number());
+    return {moving, bodies().get(in.number())};
 }
 
 void answer_first_contact(Numbers& out, NumbersIn& in) {

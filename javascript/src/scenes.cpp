@@ -169,7 +169,7 @@ CHASLES_JAVASCRIPT(scene_add)(std::int32_t scene, std::int32_t body, std::uint32
     return js::guarded([&] {
         js::TwoTexts texts = js::given_texts(name_size);
         js::NumbersIn in(js::given_numbers());
-        chasles::SceneBody added{std::move(texts.first), js::bodies().get(body).shape, js::world_motion_in(in),
+        chasles::SceneBody added{std::move(texts.first), js::bodies().get(body), js::world_motion_in(in),
                                  std::move(texts.second)};
         return js::scene_of(scene).add(std::move(added));
     });

@@ -112,9 +112,14 @@ def _polygons(body: Polyhedron) -> list[Array]:
     vertices = np.asarray(body.vertices)
     if _is_drawn_round(body):
         return _round(body, vertices)
-    if len(body.faces) <= MOST_OUTLINED:
-        return [vertices[list(face)] for face in body.faces]
+    if body.report.faces <= MOST_OUTLINED:
+        return [vertices[list(face)] for face in _faces(body)]
     return list(vertices[_coarse(vertices, np.asarray(body.triangles))])
+
+
+def _faces(body: Polyhedron) -> list[tuple[int, ...]]:
+    """Without the dropped faces that close gaps, which have no area."""
+    return body.faces[: body.report.faces]
 
 
 def _is_drawn_round(body: Polyhedron) -> bool:
@@ -125,7 +130,7 @@ def _is_drawn_round(body: Polyhedron) -> bool:
 
 def _round(body: Polyhedron, vertices: Array) -> list[Array]:
     report = body.report
-    outlines = body.faces
+    outlines = _faces(body)
     if len(outlines) > MOST_OUTLINED:
         whole = np.asarray(body.triangles)
         whole = whole[(whole[:, 0] != whole[:, 1]) & (whole[:, 1] != whole[:, 2])]

@@ -128,20 +128,26 @@ bool may_be_masked(nb::handle argument) {
            PyTuple_Check(argument.ptr());
 }
 
-/// The first entry of an array of objects that is no number, and its index.
-std::pair<nb::object, std::size_t> first_misfit(const nb::object& array) {
+/// The first entry of an array of objects that is no number of this class, and its index. The entry is null if all are.
+std::pair<nb::object, std::size_t> first_misfit(const nb::object& array, const nb::object& number) {
     std::size_t index = 0;
     for (const nb::handle entry : array.attr("flat")) {
-        if (!PyFloat_Check(entry.ptr()) && !PyLong_Check(entry.ptr()))
+        if (!nb::isinstance(entry, number))
             return {nb::borrow(entry), index};
         ++index;
     }
-    return {array.attr("item")(0), 0};
+    return {};
 }
 
 /// What an array of objects holds, and how numbers are made of it.
+template <typename Number>
 std::string about_objects(const nb::object& array) {
-    const auto [first, index] = first_misfit(array);
+    constexpr bool is_real = std::is_same_v<Number, double>;
+    const nb::object number = nb::module_::import_("numbers").attr(is_real ? "Real" : "Integral");
+    const auto [first, index] = first_misfit(array, number);
+    if (!first.is_valid())
+        return std::string("; its entries are numbers, and array.astype(") + (is_real ? "float" : "int") +
+               ") makes one";
     if (first.is_none()) {
         const nb::object place = nb::module_::import_("numpy").attr("unravel_index")(index, array.attr("shape"));
         std::string text;
@@ -177,7 +183,7 @@ nb::object converted(nb::handle argument, const std::string& name) {
         throw InvalidInput(name + ": an array of " + text_of(array.attr("dtype")) +
                            (std::is_same_v<Number, double> ? " is not an array of real numbers"
                                                            : " is not an array of whole numbers") +
-                           (kind == "O" ? about_objects(array) : ""));
+                           (kind == "O" ? about_objects<Number>(array) : ""));
     return numpy.attr("require")(array, numpy_type<Number>, "CA");
 }
 

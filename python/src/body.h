@@ -3,20 +3,14 @@
 
 #include "chasles/mesh/polyhedron.h"
 
-#include <memory>
 #include <nanobind/nanobind.h>
 #include <string>
-#include <vector>
 
 namespace chasles::python {
 
-using Faces = std::vector<std::vector<std::uint32_t>>;
-
 struct Body {
     Polyhedron polyhedron;
-    /// The faces that the polyhedron was made from. Null unless faces were dropped or cut.
-    std::shared_ptr<const Faces> given_faces;
-    PolyhedronOptions options;
+    unsigned threads = 0; ///< that build the hierarchy of a copy
 };
 
 /// The two bodies of a query.

@@ -42,13 +42,6 @@ FaceLists::FaceLists(nb::handle argument) {
         convert_array(argument);
 }
 
-Faces FaceLists::copies() const {
-    Faces faces;
-    for (const auto list : lists_)
-        faces.emplace_back(list.begin(), list.end());
-    return faces;
-}
-
 void FaceLists::add_rows(const std::uint32_t* indices, std::size_t rows, std::size_t corners) {
     lists_.reserve(rows);
     for (std::size_t row = 0; row < rows; ++row)

@@ -1,12 +1,12 @@
 // Faces as an argument from Python: an array, or lists of any lengths.
 #pragma once
 
-#include "python/src/body.h"
-
+#include <cstdint>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace chasles::python {
 
@@ -17,7 +17,6 @@ public:
     explicit FaceLists(nanobind::handle argument);
 
     [[nodiscard]] std::span<const std::span<const std::uint32_t>> lists() const { return lists_; }
-    [[nodiscard]] Faces copies() const;
 
 private:
     bool use_in_place(nanobind::handle argument);

@@ -23,20 +23,6 @@ using namespace nb::literals;
 
 static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double)); // the rows of a NumPy array are used as points
 
-/// Whether no face was dropped or cut.
-bool has_given_ids(const Polyhedron& polyhedron) {
-    for (std::size_t face = 0; face < polyhedron.face_count(); ++face)
-        if (polyhedron.source_face(face) != face)
-            return false;
-    return polyhedron.report().dropped_faces == 0;
-}
-
-/// The options for a copy: moved faces are not moved once more.
-PolyhedronOptions kept(PolyhedronOptions options) {
-    options.triangulate = options.triangulate || options.radius < 0;
-    return options;
-}
-
 /// Points of the shape (n, 3).
 class Points {
 public:
@@ -56,12 +42,12 @@ private:
 Body points(nb::handle argument, double radius) {
     const Points given(argument, "points");
     const WithoutGil without_gil;
-    return {make_points(given.span(), radius), nullptr, {}};
+    return {make_points(given.span(), radius)};
 }
 
 template <auto Make, class... Lengths>
 Body made(Lengths... lengths) {
-    return {Make(lengths...), nullptr, {}};
+    return {Make(lengths...)};
 }
 
 Body body_from(nb::handle vertices, nb::handle faces, const PolyhedronOptions& options) {
@@ -69,19 +55,13 @@ Body body_from(nb::handle vertices, nb::handle faces, const PolyhedronOptions& o
     const FaceLists outlines(faces);
     const std::span given = points.span();
     const WithoutGil without_gil;
-    Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, kept(options)};
-    if (!has_given_ids(body.polyhedron))
-        body.given_faces = std::make_shared<Faces>(outlines.copies());
-    return body;
+    return {Polyhedron::from_outlines(given, outlines.lists(), options), options.threads};
 }
 
 Body load(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid, double radius) {
     const PolyhedronOptions options{triangulate, threads, solid_from(solid), radius};
     const WithoutGil without_gil;
-    Body body{Polyhedron::load(file, options), nullptr, kept(options)};
-    if (!has_given_ids(body.polyhedron))
-        body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
-    return body;
+    return {Polyhedron::load(file, options), threads};
 }
 
 nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads, nb::handle solid,
@@ -90,12 +70,8 @@ nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigne
     std::vector<std::pair<std::string, Body>> bodies;
     {
         const WithoutGil without_gil;
-        for (io::MeshPart& part : io::load_mesh_parts(file)) {
-            Body body{io::body_of(file, part, options), nullptr, kept(options)};
-            if (!has_given_ids(body.polyhedron))
-                body.given_faces = std::make_shared<Faces>(std::move(part.polygons.faces));
-            bodies.emplace_back(part.name, std::move(body));
-        }
+        for (const io::MeshPart& part : io::load_mesh_parts(file))
+            bodies.emplace_back(part.name, Body{io::body_of(file, part, options), threads});
     }
     nb::dict parts;
     for (auto& [name, body] : bodies)
@@ -111,9 +87,9 @@ nb::object vertices(nb::handle self) {
 
 nb::list faces(const Body& body) {
     nb::list result;
-    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face) {
+    for (const auto corners : body.polyhedron.outlines()) {
         nb::list outline;
-        for (const std::uint32_t vertex : body.polyhedron.face(face))
+        for (const std::uint32_t vertex : corners)
             outline.append(vertex);
         result.append(nb::tuple(outline));
     }
@@ -135,35 +111,66 @@ nb::object triangles(const Body& body) {
     return index_array(corners, {corners.size() / 3, 3});
 }
 
-nb::object source_faces(const Body& body) {
-    std::vector<std::uint32_t> sources(body.polyhedron.face_count());
+std::vector<std::uint32_t> sources_of(const Polyhedron& polyhedron) {
+    std::vector<std::uint32_t> sources(polyhedron.outlines().size());
     for (std::size_t face = 0; face < sources.size(); ++face)
-        sources[face] = body.polyhedron.source_face(face);
+        sources[face] = polyhedron.source_face(face);
+    return sources;
+}
+
+nb::object source_faces(const Body& body) {
+    const std::vector<std::uint32_t> sources = sources_of(body.polyhedron);
     return index_array(sources, {sources.size()});
 }
 
-/// The faces in the form that the constructor reads fastest.
+/// The faces in the form that is read fastest.
 nb::object packed_faces(const Body& body) {
-    const std::size_t corners = body.polyhedron.face(0).size();
+    const auto outlines = body.polyhedron.outlines();
     std::vector<std::uint32_t> indices;
-    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face) {
-        const auto outline = body.polyhedron.face(face);
-        if (outline.size() != corners)
+    for (const auto outline : outlines) {
+        if (outline.size() != outlines[0].size())
             return faces(body);
         indices.insert(indices.end(), outline.begin(), outline.end());
     }
-    return index_array(indices, {body.polyhedron.face_count(), corners});
+    return index_array(indices, {outlines.size(), outlines[0].size()});
 }
 
-/// The constructor and its arguments for pickle. The new body has the same ids.
-nb::tuple reduce(nb::handle self) {
+/// For pickle: what makes the same body, whose faces have the same ids.
+nb::tuple state_of(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
     const MeshReport report = body.polyhedron.report();
     const bool is_solid = report.solid_parts + report.inward_parts > 0; // also of a robot's shape
     const Solid solid = is_solid ? Solid::automatic : Solid::no;
-    const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
-    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
-                                                      body.options.threads, name_of(solid), body.polyhedron.radius()));
+    const std::vector<std::uint32_t> sources = sources_of(body.polyhedron);
+    std::vector<std::uint32_t> in_order(sources.size());
+    std::iota(in_order.begin(), in_order.end(), 0U);
+    const bool has_sources = sources != in_order || report.moved_inwards > 0;
+    return nb::make_tuple(vertices(self), packed_faces(body), body.threads, name_of(solid), report.radius,
+                          has_sources ? index_array(sources, {sources.size()}) : nb::none(), report.moved_inwards);
+}
+
+Body body_of_state(const nb::tuple& state) {
+    const PolyhedronOptions options{
+        .threads = nb::cast<unsigned>(state[2]), .solid = solid_from(state[3]), .radius = nb::cast<double>(state[4])};
+    Body body = body_from(state[0], state[1], options);
+    if (const nb::object sources = state[5]; !sources.is_none()) {
+        const IndexArray ids(sources, "state");
+        body.polyhedron = body.polyhedron.with_sources(
+            std::vector<std::uint32_t>(ids.numbers().begin(), ids.numbers().end()), nb::cast<double>(state[6]));
+    }
+    return body;
+}
+
+void set_state(Body& body, const nb::tuple& state) {
+    constexpr std::size_t parts = 7;
+    try {
+        if (state.size() == parts) {
+            new (&body) Body(body_of_state(state));
+            return;
+        }
+    } catch (const nb::cast_error&) { // another type
+    }
+    throw InvalidInput("state: is not that of a polyhedron");
 }
 
 std::string repr(const Body& body) {
@@ -233,7 +240,9 @@ void bind_polyhedron(nb::module_& module) {
         .def_prop_ro("vertices", vertices, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
                      doc("Polyhedron.vertices"))
         .def_prop_ro("faces", faces, nb::sig("def faces(self) -> list[tuple[int, ...]]"),
-                     "The outline of each face: its vertex ids in order, at least three.")
+                     "The outline of each face: its vertex ids in order, at least three. `Polyhedron` makes the body "
+                     "again from\n`vertices` and `faces`: after `report.faces` faces of the body come dropped faces "
+                     "without area that close gaps of the\nsurface, where a vertex lies on an edge of another face.")
         .def_prop_ro("triangles", triangles, nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
                      "Triangles that cover the faces, (t, 3) vertex ids. Inner diagonals are not edges of the body.")
         .def_prop_ro("source_faces", source_faces,
@@ -246,12 +255,13 @@ void bind_polyhedron(nb::module_& module) {
         .def(
             "with_radius",
             [](const Body& body, double radius) {
-                return Body{body.polyhedron.with_radius(radius), body.given_faces, {.triangulate = true}};
+                return Body{body.polyhedron.with_radius(radius), body.threads};
             },
             "radius"_a, nb::sig("def with_radius(self, radius: float) -> Polyhedron"), doc("Polyhedron.with_radius"))
         .def_prop_ro(
             "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
-        .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
+        .def("__getstate__", state_of, nb::sig("def __getstate__(self) -> tuple"))
+        .def("__setstate__", set_state)
         .def("__repr__", repr);
     module.def("sphere", made<make_sphere, double>, "radius"_a, nb::sig("def sphere(radius: float) -> Polyhedron"),
                doc("make_sphere"));
@@ -261,7 +271,7 @@ void bind_polyhedron(nb::module_& module) {
         "load_points",
         [](const std::filesystem::path& file, double radius) {
             const WithoutGil without_gil;
-            return Body{load_points(file, radius), nullptr, {}};
+            return Body{load_points(file, radius)};
         },
         "file"_a, "radius"_a, nb::sig("def load_points(file: str | os.PathLike[str], radius: float) -> Polyhedron"),
         doc("load_points"));

@@ -56,8 +56,7 @@ nb::list collisions_of(const PythonRobot& robot, const std::string& link) {
         throw InvalidInput("robot: " + link + ": there is no such link");
     nb::list shapes;
     for (const CollisionDescription& shape : found->collisions)
-        shapes.append(
-            nb::make_tuple(nb::cast(Body{shape.shape, nullptr, {}}), matrix_of(shape.origin), shape.deviation));
+        shapes.append(nb::make_tuple(nb::cast(Body{shape.shape}), matrix_of(shape.origin), shape.deviation));
     return shapes;
 }
 
@@ -212,9 +211,7 @@ void bind_robot(nb::module_& module) {
             [](const PythonRobot& r, nb::handle configuration, nb::handle solid, double radius) {
                 return Body{
                     r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration"),
-                            {.solid = solid_from(solid), .radius = radius}),
-                    nullptr,
-                    {.triangulate = true}};
+                            {.solid = solid_from(solid), .radius = radius})};
             },
             "configuration"_a = nb::none(), "solid"_a.none() = "automatic", "radius"_a = 0.0,
             nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None, solid: str = 'automatic', "

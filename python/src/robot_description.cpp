@@ -226,7 +226,7 @@ nb::dict dict_with(const Pairs&... pairs) {
 }
 
 nb::dict dict_of(const CollisionDescription& collision) {
-    return dict_with(std::pair("shape", nb::cast(Body{collision.shape, nullptr, {}})),
+    return dict_with(std::pair("shape", nb::cast(Body{collision.shape})),
                      std::pair("origin", numbers_of(collision.origin)), std::pair("deviation", collision.deviation));
 }
 

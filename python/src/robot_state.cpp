@@ -15,7 +15,7 @@ namespace {
 using namespace nb::literals;
 
 nb::object shape_of(const Polyhedron& shape) {
-    return nb::cast(Body{shape, nullptr, {}});
+    return nb::cast(Body{shape});
 }
 
 Pose pose_of(nb::handle numbers) {

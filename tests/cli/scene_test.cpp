@@ -281,6 +281,22 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(refused(R"({"bodies": [], "margin": -1})"), "margin: must be in [0, 1e30]");
 }
 
+/// A null goal would make a body that moves one that stands still.
+TEST_F(SceneCommand, NullIsNoValueOfAnyKey) {
+    const std::string why = ": is null, which is no value; leave the key out";
+    for (const char* key : {"part", "urdf", "scale", "pose", "goal", "motion", "centre", "poses", "group", "solid",
+                            "radius", "sphere", "capsule", "points"})
+        EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", ")" + std::string(key) + R"(": null}]})"),
+                  "body 1: " + std::string(key) + why);
+    for (const char* key : {"name", "mesh"})
+        EXPECT_EQ(refused(R"({"bodies": [{")" + std::string(key) + R"(": null}]})"),
+                  "body 1: " + std::string(key) + why);
+    for (const char* key : {"bodies", "ignore", "ignore_groups", "ignore_touching_at_start", "margin", "hold"})
+        EXPECT_EQ(refused(R"({")" + std::string(key) + R"(": null})"), key + why);
+    EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", "poses": [{"t": 0, "pose": null}]}]})"),
+              "body 1: 'a': poses: entry 1: pose" + why);
+}
+
 TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {
     write("names.json", R"({"bodies": [{"name": "a\u001b[31m\nb", "mesh": "cube.obj"},
                                        {"name": "c\u009b2J\u007f", "mesh": "cube.obj", "pose": [3, 0, 0], "goal": [0.5, 0, 0]}]})");

@@ -89,6 +89,35 @@ test("arrays whose bytes were sent to another thread are refused by name", async
   assert.match(refusal(() => dragged({ mass: { inertia: detached(new Float64Array(9)) } })), /^mass\.inertia: a matrix needs 9 numbers, and there are 0/);
 });
 
+test("typed arrays that lie beyond their buffer, and values without a text, are refused in words", () => {
+  const shortened = (Type, count) => {
+    const buffer = new ArrayBuffer(count * Type.BYTES_PER_ELEMENT, { maxByteLength: 2 * count * Type.BYTES_PER_ELEMENT });
+    const view = new Type(buffer, 0, count);
+    buffer.resize(8);
+    return view;
+  };
+  const message = (name) => `${name}: lies beyond the end of its buffer, which was made shorter by resize`;
+  assert.equal(refusal(() => chasles.polyhedron(shortened(Float64Array, 9), [0, 1, 2])), message("vertices"));
+  assert.equal(refusal(() => chasles.polyhedron(vertices, shortened(Uint32Array, 6))), message("faces"));
+  assert.equal(refusal(() => chasles.points(shortened(Float32Array, 9), 1)), message("points"));
+  assert.equal(refusal(() => chasles.fromFile(shortened(Uint8Array, 99), "a.obj")), message("content"));
+  const view = new DataView(new ArrayBuffer(8));
+  structuredClone(view.buffer, { transfer: [view.buffer] });
+  assert.match(refusal(() => chasles.fromFile(view, "a.obj")), /^content: is detached/);
+  const textless = [new Proxy(new Float64Array([3, 0.2, 0.3]), {}), Object.create(null), { toString: null, valueOf: null }];
+  for (const value of textless) {
+    assert.match(refusal(() => chasles.firstContact(cube, cube, value, far)), /^start: an object is no array of numbers: a pose is/);
+    assert.match(refusal(() => chasles.polyhedron([value], faces)), /^vertices\[0\]: an object is no point/);
+  }
+});
+
+test("whole numbers without limit are no coordinates", () => {
+  for (const Type of [BigInt64Array, BigUint64Array])
+    for (const count of [0, 9])
+      assert.equal(refusal(() => chasles.polyhedron(new Type(count), [0, 1, 2])), `vertices: a ${Type.name} holds no numbers: Float64Array.from(vertices, Number) makes them`);
+  assert.match(refusal(() => chasles.points(new BigInt64Array(3), 1)), /^points: a BigInt64Array holds no numbers/);
+});
+
 test("the way out for a file leads to formats that are read here", () => {
   const step = new TextEncoder().encode('ISO-10303-21;\nHEADER;\nFILE_SCHEMA(("AUTOMOTIVE_DESIGN"));');
   for (const [bytes, name] of [[step, "a.step"], [new Uint8Array(9), "a.stp"], [new TextEncoder().encode("glTF"), "a.stl"], [new Uint8Array(9), "a.glb"], [new Uint8Array(9), "a.dae"]]) {

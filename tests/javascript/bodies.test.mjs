@@ -107,3 +107,48 @@ test("a handle that is sent or saved is empty, and its arrays make the body agai
   const sent = structuredClone({ vertices: body.vertices, faces: body.faces });
   assert.deepEqual(chasles.polyhedron(sent.vertices, sent.faces).report, body.report);
 });
+
+const near = vertices.map((point, i) => (i === 7 ? point.map((x) => x + 1e-6) : point));
+const bent = vertices.map((point, i) => (i === 7 ? [point[0] + 0.3, point[1], point[2] - 0.2] : point));
+const gap = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [1, 0, 0]];
+const gapFaces = [[0, 2, 1], [0, 4, 3], [4, 1, 3], [0, 1, 4], [0, 3, 2], [1, 2, 3]]; // [0, 1, 4] has no area
+const kinds = {
+  gap: [gap, gapFaces, { solid: "yes" }],
+  "round gap": [gap, gapFaces, { radius: 1e-3 }],
+  "surface with a gap": [gap, gapFaces, { solid: "no" }],
+  "gap and segment": [[...gap, [5, 5, 5], [6, 5, 5]], [[5, 6, 6], ...gapFaces]],
+  "nearly planar": [near, faces],
+  cut: [bent, faces, { triangulate: true }],
+  "cut and round": [bent, faces, { triangulate: true, radius: 0.01 }],
+  moved: [vertices, faces, { radius: -1e-3 }],
+  "cut and moved": [bent, faces, { triangulate: true, radius: -1e-3 }],
+};
+
+test("a body that is made again, from its arrays or in a worker, is the same body", async () => {
+  const small = box(0.01);
+  const speck = chasles.polyhedron(small.vertices, small.faces);
+  const places = Array.from({ length: 20 }, (_, i) => [0.3 + 0.03 * i, 0.3, 0.1 * i - 0.9, 1, 0.2 * i, 0.1, 0]);
+  const starts = [[0.3, 0.3, 0.3], ...places];
+  const goals = [[0.31, 0.3, 0.3], ...places.map(([, ...rest]) => [-3, ...rest])];
+  const workers = await chasles.workers({ count: 1 });
+  try {
+    for (const [name, given] of Object.entries(kinds)) {
+      const body = chasles.polyhedron(...given);
+      const { report } = body;
+      const isSolid = name !== "surface with a gap";
+      assert.equal(report.solid_parts, isSolid ? 1 : 0, name);
+      const again = chasles.polyhedron(body.vertices, body.faces, { solid: isSolid ? "automatic" : "no", radius: report.radius });
+      for (const part of ["solid_parts", "volume", "closed", "faces", "segments", "radius"]) assert.equal(again.report[part], report[part], `${name}: ${part}`);
+      assert.deepEqual(again.faces, body.faces, name);
+      assert.equal(body.sourceFaces.length, body.faces.length, name);
+      const answers = chasles.firstContactBatch(speck, body, starts, goals);
+      assert.equal(answers[0].verdict, isSolid ? "contact_at_start" : "clear", name);
+      assert.ok(answers.filter(({ verdict }) => verdict !== "clear").length > 4, name);
+      assert.deepEqual(await workers.firstContactBatch(speck, body, starts, goals), answers, name); // with the same ids
+      const seen = ({ verdict, time, inside }) => [verdict, time, inside];
+      assert.deepEqual(chasles.firstContactBatch(speck, again, starts, goals).map(seen), answers.map(seen), name);
+    }
+  } finally {
+    workers.stop();
+  }
+});

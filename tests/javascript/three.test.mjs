@@ -329,6 +329,9 @@ test("morph targets and bones: as drawn now, or refused by name", () => {
   skin.setAttribute("skinWeight", new Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
   assert.match(refusal(() => chasles.fromBufferGeometry(skin)), /^geometry\.attributes\.skinIndex: .* fromObject3D.* deleteAttribute/);
   assert.deepEqual(chasles.fromBufferGeometry(skin.clone().deleteAttribute("skinIndex")).report.lower, [-1, -1, -1]);
+  const loose = new SkinnedMesh(new BoxGeometry(), new MeshBasicMaterial());
+  assert.equal(refusal(() => chasles.fromObject3D(loose)), "object: is a SkinnedMesh, and its geometry has no attribute skinIndex: a Mesh of the geometry is at rest");
+  assert.equal(refusal(() => chasles.fromObject3D(new SkinnedMesh(skin))), "object: is a SkinnedMesh without a skeleton: mesh.bind(skeleton) gives it one");
   const skinned = new SkinnedMesh(skin);
   const bone = new Bone();
   skinned.add(bone);

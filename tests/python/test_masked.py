@@ -97,6 +97,16 @@ def test_none_is_named_with_its_place():
         chasles.first_contact(cube(), cube(), [decimal.Decimal(1), *START[1:]], GOAL)
 
 
+def test_numbers_as_objects_are_told_the_way_out():
+    for row in (np.array(START, object), np.array([np.float64(0), np.int64(1), np.float32(2)], object)):
+        with pytest.raises(chasles.InvalidInput, match=r"^start: an array of object is not an array of real numbers; "
+                           r"its entries are numbers, and array\.astype\(float\) makes one$"):
+            chasles.first_contact(cube(), cube(), row, GOAL)
+        assert chasles.first_contact(cube(), cube(), row.astype(float), GOAL)
+    with pytest.raises(chasles.InvalidInput, match=r"^faces: .* of whole numbers; .* array\.astype\(int\) makes one$"):
+        chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES.astype(object))
+
+
 def test_a_list_in_itself_is_refused():
     endless = []
     endless.append(endless)

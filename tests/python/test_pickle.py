@@ -347,7 +347,7 @@ SPOILT += [(("rest", (ORIGIN,), ()), ("product", (), (0, 1))), (("none", (), ())
 SPOILT += [(("trajectory", 3),), (("trajectory", chasles.ScrewMotion.between(ORIGIN, ORIGIN)),), ((None,) * 3,)]
 
 
-@pytest.mark.parametrize("kind", ["Motion", "TimedPoses", "JointPath", "Trajectory", "ConstantVelocity", "ConstantTwist"])
+@pytest.mark.parametrize("kind", "Motion TimedPoses JointPath Trajectory ConstantVelocity ConstantTwist Polyhedron".split())
 @pytest.mark.parametrize("state", SPOILT)
 def test_a_spoilt_state_is_refused(kind, state):
     kind = getattr(chasles, kind)

@@ -111,6 +111,16 @@ TEST(DrawnMesh, ShowsRoundBodiesRound) {
     EXPECT_LT(view::drawn_mesh(make_points(cloud, 0.5)).triangles.size(), 1'000'000U);
 }
 
+/// A page holds every body, and a body of some hundred faces must not take megabytes.
+TEST(DrawnMesh, RoundBodiesAreCoarserTheMoreTheyHave) {
+    for (const std::uint32_t around : {3U, 12U, 24U, 48U}) {
+        const Polyhedron body = test::made_from(test::torus(around, 16), {.radius = 0.02});
+        const std::size_t triangles = view::drawn_mesh(body).triangles.size();
+        EXPECT_GT(triangles, 20 * body.face_count()) << "round to the eye";
+        EXPECT_LT(triangles, 40'000 + 2 * body.face_count());
+    }
+}
+
 /// Every second or third point of a grid would be stripes, with gaps between them that are wider than the points.
 TEST(DrawnMesh, ShowsAPartOfALargeCloudWithoutAPattern) {
     constexpr int side = 300; // 90,000 points; 20,000 are drawn
