@@ -1,0 +1,305 @@
+"""The nodes of a file of glTF: who hangs on whom, which of them carry bodies, and what moves with which node."""
+
+from __future__ import annotations
+
+import pathlib
+import tempfile
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import InvalidInput, Motion, Polyhedron, load_parts
+from .gltf_file import Document, Json
+from .gltf_tracks import Tracks, moved
+
+Array = npt.NDArray[np.float64]
+
+MOST_NODES = 1_000_000
+MOST_SKEW = 1e-6  # of a matrix above a node that moves: an entry of R^T R - I
+STATIC = -1
+
+
+@dataclass
+class Carrier:
+    """A node that carries a mesh."""
+
+    node: int
+    name: str
+    mover: int  #: the nearest node above it (or itself) that moves, or STATIC
+    to_mover: Array  #: (4, 4), from the mesh to the rigid frame of the mover; to the scene if STATIC
+
+
+class Tree:
+    """The scene of a file: nodes in the order in which they are met from the roots down."""
+
+    def __init__(self, document: Document, tracks: Tracks):
+        self._document, self._tracks = document, tracks
+        self.nodes = document.items("nodes")
+        self.parent: dict[int, int] = {}
+        self.order = self._walk(self.roots())
+        self._locals: dict[int, Array] = {}
+
+    def roots(self) -> list[int]:
+        """The roots of the scene that the file names, else of its first scene, else all nodes that no node contains."""
+        scenes = self._document.items("scenes")
+        if not scenes:
+            contained = {child for node in self.nodes for child in node.get("children", [])}
+            return [index for index in range(len(self.nodes)) if index not in contained]
+        scene = self._document.item("scenes", self._document.json.get("scene", 0), "scene")
+        return self._indices(scene, "nodes", "scene")
+
+    def chain(self, node: int) -> list[int]:
+        """From the root to the node."""
+        found = [node]
+        while found[-1] in self.parent:
+            found.append(self.parent[found[-1]])
+        return found[::-1]
+
+    def carriers(self, leave_out: Collection[str]) -> list[Carrier]:
+        """All nodes with faces, named as `chasles.load_parts` does."""
+        with_faces = [index for index in self.order if "mesh" in self.nodes[index] and self._has_faces(index)]
+        names = self._names(with_faces)
+        unknown = [name for name in leave_out if name not in names.values()]
+        if unknown:
+            raise self._document.fault(f"leave_out: no node with faces has the name {unknown[0]!r}; there are {_listed(names.values())}")
+        kept = [index for index in with_faces if names[index] not in leave_out]
+        for index in kept:
+            self._refuse_deformed(index, names[index])
+        return [self._carrier(index, names[index]) for index in kept]
+
+    def motion(self, mover: int, since: float) -> Motion:
+        """The rigid motion of the frame of a node, over the whole duration. Steps are as from the time `since` on."""
+        result: Motion | None = None
+        for factor in self._factors(mover, since):
+            result = factor if result is None else result * factor  # type: ignore[operator]
+        assert result is not None
+        return result
+
+    def jumps(self, mover: int) -> set[float]:
+        """The times at which the node or one above it jumps."""
+        tracks = (self._tracks.of_node.get((node, path)) for node in self.chain(mover) for path in ("translation", "rotation"))
+        return {float(time) for track in tracks if track is not None for time in track.jumps()}
+
+    def _factors(self, mover: int, since: float) -> list[Motion]:
+        """Of the product from the root to the mover. What is above scales the translations."""
+        factors: list[Motion] = []
+        scale, still = 1.0, np.eye(4)
+
+        def add_still() -> None:
+            nonlocal scale, still
+            if not np.array_equal(still, np.eye(4)):
+                ratio, pose = self._conformal(still, mover)
+                pose[:3, 3] *= scale
+                factors.append(Motion.at_rest(pose))
+                scale *= ratio
+                still = np.eye(4)
+
+        for node in self.chain(mover):
+            if not self._tracks.moving(node):
+                still = still @ self._local(node)
+                continue
+            add_still()
+            shift = self._tracks.value(node, "translation", self._at_rest(node, "translation", [0, 0, 0]))
+            turn = self._tracks.value(node, "rotation", self._at_rest(node, "rotation", [0, 0, 0, 1]))
+            try:
+                factors.append(moved(shift, turn, since, self._tracks.duration, scale))
+            except InvalidInput as error:
+                raise self._document.fault(f"{self.label(node)}: {error}") from None
+            if node != mover:
+                still = np.diag([*self._scale(node), 1.0])
+        return factors
+
+    def _carrier(self, index: int, name: str) -> Carrier:
+        below = np.eye(4)
+        chain = self.chain(index)
+        while chain and not self._tracks.moving(chain[-1]):
+            below = self._local(chain.pop()) @ below
+        if not chain:
+            return Carrier(index, name, STATIC, below)
+        mover = chain[-1]
+        below = np.diag([*self._scale(mover), 1.0]) @ below
+        return Carrier(index, name, mover, np.diag([*[self._scale_above(mover)] * 3, 1.0]) @ below)
+
+    def _scale_above(self, mover: int) -> float:
+        """The scale of all that is above a node that moves, which has to be even."""
+        scale, still = 1.0, np.eye(4)
+        for node in self.chain(mover):
+            if not self._tracks.moving(node):
+                still = still @ self._local(node)
+                continue
+            scale *= self._conformal(still, node)[0]
+            still = np.diag([*self._scale(node), 1.0])
+        return scale
+
+    def _conformal(self, matrix: Array, node: int) -> tuple[float, Array]:
+        """A matrix as a scale, negative for a mirror, times a pose."""
+        linear = matrix[:3, :3]
+        scale = float(np.cbrt(np.linalg.det(linear)))
+        if scale == 0:
+            raise self._document.fault(f"{self.label(node)}: a scale of 0 is above it, or its own; remove the node or scale it")
+        turn = linear / scale
+        skew = float(np.abs(turn.T @ turn - np.eye(3)).max())
+        if skew > MOST_SKEW:
+            raise self._document.fault(
+                f"{self.label(node)} moves below a scale that is not the same along all axes (off by {skew:.3g}), so what it carries "
+                "would change its shape; apply the scale to the meshes"
+            )
+        left, _, right = np.linalg.svd(turn)
+        pose = np.eye(4)
+        pose[:3, :3], pose[:3, 3] = left @ right, matrix[:3, 3]
+        return scale, pose
+
+    def _local(self, node: int) -> Array:
+        """The matrix of a node that does not move."""
+        if node not in self._locals:
+            self._locals[node] = self._matrix(node)
+        return self._locals[node]
+
+    def _matrix(self, node: int) -> Array:
+        item = self.nodes[node]
+        if "matrix" in item:
+            matrix = self._numbers(item, "matrix", 16, node).reshape(4, 4).T
+            if not np.array_equal(matrix[3], [0, 0, 0, 1]):
+                raise self._document.fault(f"{self.label(node)}: matrix: the last row must be 0 0 0 1")
+            return matrix
+        shift = self._tracks.value(node, "translation", self._at_rest(node, "translation", [0, 0, 0]))
+        turn = self._tracks.value(node, "rotation", self._at_rest(node, "rotation", [0, 0, 0, 1]))
+        return _pose_of(np.asarray(shift), np.asarray(turn)) @ np.diag([*self._scale(node), 1.0])
+
+    def _scale(self, node: int) -> Array:
+        track = self._tracks.of_node.get((node, "scale"))
+        if track is None:
+            return self._at_rest(node, "scale", [1, 1, 1])
+        if not track.is_constant:
+            ends = f"from {track.values.min():.6g} to {track.values.max():.6g}"
+            raise self._document.fault(
+                f"{self.label(node)}: its scale is animated ({ends}): bodies are rigid; remove this channel, or leave out what the node carries"
+            )
+        return track.values[0]
+
+    def _at_rest(self, node: int, key: str, default: list[float]) -> Array:
+        if key not in self.nodes[node]:
+            return np.array(default, np.float64)
+        found = self._numbers(self.nodes[node], key, len(default), node)
+        if key == "rotation" and np.linalg.norm(found) < 1e-3:
+            raise self._document.fault(f"{self.label(node)}: rotation: must not be 0")
+        return found
+
+    def _numbers(self, item: Json, key: str, count: int, node: int) -> Array:
+        value = item[key]
+        is_right = isinstance(value, list) and len(value) == count and all(isinstance(x, (int, float)) for x in value)
+        if not is_right or not np.isfinite(np.array(value, np.float64)).all():
+            raise self._document.fault(f"{self.label(node)}: {key}: must be {count} numbers")
+        return np.array(value, np.float64)
+
+    def label(self, node: int) -> str:
+        """The node in messages."""
+        name = self.nodes[node].get("name")
+        return f"node {node}" + (f" ({name!r})" if isinstance(name, str) and name else "")
+
+    def _indices(self, item: Json, key: str, where: str) -> list[int]:
+        found = item.get(key, [])
+        if not isinstance(found, list):
+            raise self._document.fault(f"{where}: {key}: must be a list")
+        for index in found:
+            self._document.item("nodes", index, where)
+        return [int(index) for index in found]
+
+    def _walk(self, roots: list[int]) -> list[int]:
+        order: list[int] = []
+        seen = set(roots)
+        if len(seen) < len(roots):
+            raise self._document.fault("scene: a node is listed twice")
+        if len(self.nodes) > MOST_NODES:
+            raise self._document.fault(f"has more than {MOST_NODES} nodes")
+        rest = roots[::-1]
+        while rest:
+            node = rest.pop()
+            order.append(node)
+            children = self._indices(self.nodes[node], "children", f"node {node}")
+            for child in children:
+                if child in seen:
+                    raise self._document.fault(f"{self.label(child)} is below two nodes, or contains itself")
+                seen.add(child)
+                self.parent[child] = node
+            rest += children[::-1]
+        return order
+
+    def _has_faces(self, index: int) -> bool:
+        mesh = self._document.item("meshes", self.nodes[index]["mesh"], self.label(index))
+        primitives = self._document.objects(mesh, "primitives", f"mesh {self.nodes[index]['mesh']}")
+        return any(primitive.get("mode", 4) not in (0, 1, 2, 3) for primitive in primitives)
+
+    def _refuse_deformed(self, index: int, name: str) -> None:
+        if "skin" in self.nodes[index]:
+            raise self._document.fault(f"node {name!r} has a skin, and deforms: bodies are rigid; leave it out ({name!r}), or export rigid parts")
+        if index in self._tracks.morphed:
+            raise self._document.fault(f"node {name!r} is morphed (animated weights): bodies are rigid; leave it out ({name!r}), or export rigid parts")
+        for node in self.chain(index):
+            self._scale(node)  # refuses one that is animated
+
+    def _names(self, indices: list[int]) -> dict[int, str]:
+        """Unique names: those of nodes, else of meshes, else of nodes above. Names of the file stay with their first owners."""
+        given: dict[int, str] = {}
+        own: dict[int, bool] = {}
+        for index in indices:
+            names = [self.nodes[index].get("name"), self._document.items("meshes")[int(self.nodes[index]["mesh"])].get("name")]
+            above = [self.nodes[node].get("name") for node in self.chain(index)[-2::-1]]
+            found = [" ".join(name.split()) for name in [*names, *above] if isinstance(name, str) and name.strip()]
+            given[index] = found[0] if found else "part"
+            own[index] = any(isinstance(name, str) and name.strip() for name in names)
+        return _unique(given, sorted(indices, key=lambda index: not own[index]))
+
+
+def load_bodies(document: Document, carriers: list[Carrier], threads: int = 0) -> dict[str, Polyhedron]:
+    """The body of each carrier in the frame of its mover. The package's own reader reads a file in which each carrier is a root."""
+    json = {key: document.json[key] for key in ("asset", "accessors", "bufferViews", "meshes") if key in document.json}
+    required = document.json.get("extensionsRequired", [])
+    if isinstance(required, list):
+        json["extensionsRequired"] = [name for name in required if name != "KHR_animation_pointer"]
+    nodes: list[Json] = [{} for _ in document.items("nodes")]
+    for carrier in carriers:
+        node = {"mesh": int(document.items("nodes")[carrier.node]["mesh"]), "name": carrier.name}
+        node["matrix"] = carrier.to_mover.T.reshape(-1).tolist()
+        nodes[carrier.node] = node | {key: value for key, value in document.items("nodes")[carrier.node].items() if key in ("extensions", "weights")}
+    json |= {"nodes": nodes, "scenes": [{"nodes": [carrier.node for carrier in carriers]}], "scene": 0}
+    with tempfile.TemporaryDirectory(prefix="chasles-") as folder:
+        file = pathlib.Path(folder, "scene.glb")
+        file.write_bytes(document.as_glb(json))
+        try:
+            return load_parts(file, threads=threads)
+        except InvalidInput as error:
+            raise InvalidInput(str(error).replace(str(file), str(document.path))) from None
+
+
+def _unique(given: dict[int, str], order: list[int]) -> dict[int, str]:
+    taken, used = set(given.values()), set()
+    numbers: dict[str, int] = {}
+    result = {}
+    for index in order:
+        name = given[index]
+        while name in used or (name != given[index] and name in taken):
+            numbers[given[index]] = numbers.get(given[index], 1) + 1
+            name = f"{given[index]}_{numbers[given[index]]}"
+        used.add(name)
+        result[index] = name
+    return result
+
+
+def _pose_of(shift: Array, turn: Array) -> Array:
+    x, y, z, w = turn / np.linalg.norm(turn)
+    pose = np.eye(4)
+    pose[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    pose[:3, 3] = shift
+    return pose
+
+
+def _listed(names: Collection[str]) -> str:
+    shown = sorted(names)[:10]
+    return ", ".join(repr(name) for name in shown) + (", ..." if len(names) > len(shown) else "")
