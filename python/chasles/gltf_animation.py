@@ -47,7 +47,7 @@ class Animation:
         self.animations = list(chosen.values())  #: names
         self.warnings = list(tracks.warnings)
         movers = sorted({carrier.mover for carrier in carriers} - {STATIC})
-        self._movers = movers
+        self._movers, self._mover = movers, {carrier.name: carrier.mover for carrier in carriers}
         jumps = set().union(*(tree.jumps(mover) for mover in movers)) - {0.0}
         #: times at which keys of STEP move a body at once, in seconds
         self.jumps = np.array(sorted(jumps), np.float64)
@@ -225,8 +225,10 @@ class Animation:
         return result
 
     def _stand_still(self, a: str, b: str) -> bool:
-        movers = {carrier.name: carrier.mover for carrier in self._carriers}
-        return movers[a] == movers[b]
+        return len(self._movers_of(a, b)) == 1
+
+    def _movers_of(self, a: str, b: str) -> set[int]:
+        return {self._mover[a], self._mover[b]}
 
     def _untested(self, ignored: dict[str, list[Pair]]) -> Untested:
         count = len(self._carriers)
@@ -259,12 +261,12 @@ class Animation:
         at_start = found.verdict == Verdict.contact_at_start
         if at_start and piece == 0:
             answer.verdict = Verdict.contact_at_start
-        answer.at_jump = at_start and piece > 0
-        at = float(self.jumps[piece - 1]) if answer.at_jump else 0.0
+        at = float(self.jumps[piece - 1]) if piece else 0.0
         answer.pair, answer.certain = found.pair, found.certain
+        answer.at_jump = at_start and any(at in self._tree.jumps(mover) for mover in self._movers_of(*found.pair) - {STATIC})
         answer.time = at if at_start else outward(start, found.time, rest, up=False)
         answer.time_upper = at if at_start else outward(start, found.time_upper, rest, up=True)
-        if answer.at_jump:
+        if at_start:
             answer.clear_until = at
         answer.contacts = timed_contacts(found, rest)
         answer.simultaneous = [(pair[0], pair[1]) for pair in found.simultaneous]

@@ -104,6 +104,7 @@ class Tracks:
         elif path == "weights":
             self._document.item("nodes", target["node"], place)
             self.morphed.add(int(target["node"]))
+            self.duration = max(self.duration, float(self._stamps(sampler, place)[-1]))
         elif path not in KINDS:
             raise self._document.fault(f"{place}: path: {str(path)[:20]!r} is none of translation, rotation, scale, weights")
         else:
@@ -133,18 +134,11 @@ class Tracks:
             raise self._document.fault(
                 f"{place}: interpolation: {str(interpolation)[:20]!r} is none of LINEAR, STEP, CUBICSPLINE"
             )
-        stamps = self._document.numbers(sampler.get("input"), "SCALAR", place)[:, 0]
+        stamps = self._stamps(sampler, place)
         values = self._document.numbers(sampler.get("output"), KINDS[path], place)
         each = 3 if interpolation == "CUBICSPLINE" else 1
-        self._keys += len(stamps)
-        if self._keys > MOST_KEYS:
-            raise self._document.fault(f"has more than {MOST_KEYS} keys")
-        if not len(stamps) or len(values) != each * len(stamps):
+        if len(values) != each * len(stamps):
             raise self._document.fault(f"{place}: {len(stamps)} times and {len(values)} values; it needs {each} for each time")
-        wrong = np.flatnonzero(np.diff(stamps) <= 0)
-        if len(wrong) or stamps[0] < 0:
-            at = int(wrong[0]) + 1 if len(wrong) else 0
-            raise self._document.fault(f"{place}: time {at}: must be from 0 on and increase, but is {stamps[at]:.9g}")
         tangents = None
         if each == 3:
             values = values.reshape(len(stamps), 3, -1)
@@ -152,6 +146,19 @@ class Tracks:
         if path == "rotation":
             self._check_turns(values, interpolation, place)
         return Track(stamps, values, interpolation, tangents)
+
+    def _stamps(self, sampler: Json, place: str) -> Array:
+        stamps = self._document.numbers(sampler.get("input"), "SCALAR", place)[:, 0]
+        self._keys += len(stamps)
+        if self._keys > MOST_KEYS:
+            raise self._document.fault(f"has more than {MOST_KEYS} keys")
+        if not len(stamps):
+            raise self._document.fault(f"{place}: has no key")
+        wrong = np.flatnonzero(np.diff(stamps) <= 0)
+        if len(wrong) or stamps[0] < 0:
+            at = int(wrong[0]) + 1 if len(wrong) else 0
+            raise self._document.fault(f"{place}: time {at}: must be from 0 on and increase, but is {stamps[at]:.9g}")
+        return stamps
 
     def _check_turns(self, values: Array, interpolation: str, place: str) -> None:
         lengths = np.linalg.norm(values, axis=1)
