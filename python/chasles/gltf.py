@@ -76,7 +76,7 @@ def read(
         raise document.fault("has no face; a scene needs at least one body")
     bodies = load_bodies(document, carriers, threads)
     kept = [carrier for carrier in carriers if carrier.name in bodies]
-    return Animation(document.path, {index: names[index] for index in chosen}, tracks, tree, kept, bodies)
+    return Animation(document.path, document.files, {index: names[index] for index in chosen}, tracks, tree, kept, bodies)
 
 
 def mark(

@@ -34,6 +34,7 @@ class Animation:
     def __init__(
         self,
         path: pathlib.Path,
+        files: set[pathlib.Path],
         chosen: dict[int, str],
         tracks: Tracks,
         tree: Tree,
@@ -41,7 +42,7 @@ class Animation:
         bodies: dict[str, Polyhedron],
     ):
         self._tracks, self._tree, self._carriers, self._chosen = tracks, tree, carriers, chosen
-        self.path = path
+        self.path, self.files = path, files  #: `files` are all that were read
         self.bodies = {carrier.name: bodies[carrier.name] for carrier in carriers}  #: in the frames of `poses`
         self.duration = tracks.duration  #: seconds, to the last key
         self.animations = list(chosen.values())  #: names

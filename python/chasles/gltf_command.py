@@ -13,6 +13,7 @@ from . import gltf
 from ._core import Cancelled, InvalidInput, Limit
 from .enums import Verdict
 from .gltf_answer import AnimationContact, untested_json
+from .gltf_file import refuse_input
 
 CLEAR, CONTACT, WRONG_INPUT, OUT_OF_TIME, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -68,6 +69,9 @@ def _answer(options: argparse.Namespace) -> int:
     names = gltf.animations(options.file)
     chosen = list(range(len(names))) if options.together else [_number(name, names) for name in options.animation or []]
     animation = gltf.read(options.file, chosen or None, leave_out=options.leave_out, threads=options.threads)
+    for out in (options.mark, options.page):
+        if out is not None:
+            refuse_input(out, animation.files)
     question: dict[str, Any] = {
         "margin": options.margin,
         "ignore": options.ignore,

@@ -27,6 +27,7 @@ Json = dict[str, Any]
 
 MOST_JSON = 1 << 28  # bytes
 MOST_SPARSE = 1 << 20  # elements of an accessor without bytes of its own, as for meshes
+LARGEST = 1e30  # number of a transform
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
@@ -95,8 +96,8 @@ class Document:
             found = np.zeros((count, COMPONENTS[kind]))
         if "sparse" in item:
             self._add_sparse(item, found, place)
-        if not np.isfinite(found).all():
-            raise self.fault(f"{place}: NaN or infinity in its numbers")
+        if not (np.abs(found) < LARGEST).all():  # NaN, too
+            raise self.fault(f"{place}: NaN, infinity or a number beyond {LARGEST:g}")
         return found
 
     def as_glb(self, changed: Json | None = None, more: bytes = b"") -> bytes:
@@ -183,9 +184,10 @@ class Document:
 
     def _copied(self, layout: Json, like: Json, count: int, components: int, where: str) -> Array:
         """Numbers at the view and offset of `layout`, of the type of `like`."""
-        kind = TYPES.get(like.get("componentType", 0))
+        component = like.get("componentType")
+        kind = TYPES.get(int(component)) if is_index(component) else None
         if kind is None:
-            raise self.fault(f"{where}: componentType: {str(like.get('componentType'))[:20]} is none of {list(TYPES)}")
+            raise self.fault(f"{where}: componentType: {str(component)[:20]} is none of {list(TYPES)}")
         data, stride = self._view(layout.get("bufferView"), where)
         offset, size = self.count(layout, "byteOffset", where, 0), components * np.dtype(kind).itemsize
         stride = stride or size
@@ -253,13 +255,18 @@ def is_index(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < 2**53 and value == int(value)
 
 
+def refuse_input(out: str | os.PathLike[str], inputs: set[pathlib.Path]) -> None:
+    """Raises InvalidInput if `out` is one of the inputs, also behind links."""
+    for file in inputs:
+        if os.path.exists(out) and file.exists() and os.path.samefile(out, file):
+            raise InvalidInput(f"{out}: is an input; write to another file")
+
+
 @contextlib.contextmanager
 def beside(out: str | os.PathLike[str], inputs: set[pathlib.Path]) -> Iterator[pathlib.Path]:
     """A new file beside `out`, which gets its name when it is complete. Refuses an `out` that is one of the inputs."""
     path = pathlib.Path(out)
-    for file in inputs:
-        if path.exists() and file.exists() and os.path.samefile(path, file):
-            raise InvalidInput(f"{path}: is an input; write to another file")
+    refuse_input(path, inputs)
     try:
         handle, name = tempfile.mkstemp(prefix=path.name[:80] + ".", suffix=".part", dir=path.parent)
         os.close(handle)

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from ._core import InvalidInput
 from .gltf_answer import AnimationContact
 from .gltf_file import Document, Json, beside
+from .gltf_tree import roots_of
 
 Array = npt.NDArray[np.float64]
 
@@ -59,9 +60,7 @@ class Writer:
         for image in self.json.get("images", []):
             _move(image, document.path.parent, out.parent)
         if not self.json.get("scenes"):  # as it is read
-            nodes = document.items("nodes")
-            contained = {child for node in nodes for child in node.get("children", [])}
-            self.json |= {"scene": 0, "scenes": [{"nodes": [i for i in range(len(nodes)) if i not in contained]}]}
+            self.json |= {"scene": 0, "scenes": [{"nodes": roots_of(document)}]}
 
     def add_marker(self, size: float) -> int:
         """A mesh: a ball, and an arrow of this length along z."""

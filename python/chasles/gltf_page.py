@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .gltf_answer import AnimationContact
+from .gltf_file import beside
 from .poses import seven_numbers
 from .record import recording_page
 
@@ -25,7 +26,9 @@ def write_page(animation: Animation, answers: list[AnimationContact], out: pathl
     times.append(np.clip([answer.time for answer in contacts], 0, duration))
     stamps = np.unique(np.concatenate(times))
     poses = np.array([[seven_numbers(pose) for pose in animation.poses(float(time)).values()] for time in stamps])
-    return recording_page(out, animation.bodies, stamps, poses, [_event(answer) for answer in contacts], title=title)
+    with beside(out, animation.files) as file:
+        recording_page(file, animation.bodies, stamps, poses, [_event(answer) for answer in contacts], title=title)
+    return out
 
 
 def _event(answer: AnimationContact) -> dict[str, Any]:

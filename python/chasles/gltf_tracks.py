@@ -105,7 +105,7 @@ class Tracks:
             self._document.item("nodes", target["node"], place)
             self.morphed.add(int(target["node"]))
             self.duration = max(self.duration, float(self._stamps(sampler, place)[-1]))
-        elif path not in KINDS:
+        elif not isinstance(path, str) or path not in KINDS:
             raise self._document.fault(f"{place}: path: {str(path)[:20]!r} is none of translation, rotation, scale, weights")
         else:
             self._add(target["node"], path, sampler, place)
@@ -162,8 +162,9 @@ class Tracks:
 
     def _check_turns(self, values: Array, interpolation: str, place: str) -> None:
         lengths = np.linalg.norm(values, axis=1)
-        if (lengths < 1e-3).any():
-            raise self._document.fault(f"{place}: rotation {int(np.argmin(lengths))}: must not be 0")
+        wrong = np.flatnonzero(~((lengths > 1e-3) & (lengths < 1e3)))
+        if len(wrong):
+            raise self._document.fault(f"{place}: rotation {wrong[0]}: is no unit quaternion, but has the length {lengths[wrong[0]]:.3g}")
         units = values / lengths[:, None]
         if interpolation == "LINEAR" and (np.abs((units[1:] * units[:-1]).sum(axis=1)) < HALF_TURN).any():
             self.warnings.append(

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput, Motion, Polyhedron, load_parts
-from .gltf_file import Document, Json
+from .gltf_file import LARGEST, Document, Json
 from .gltf_tracks import Tracks, moved
 
 Array = npt.NDArray[np.float64]
@@ -38,17 +38,8 @@ class Tree:
         self._document, self._tracks = document, tracks
         self.nodes = document.items("nodes")
         self.parent: dict[int, int] = {}
-        self.order = self._walk(self.roots())
+        self.order = self._walk(roots_of(document))
         self._locals: dict[int, Array] = {}
-
-    def roots(self) -> list[int]:
-        """The roots of the scene that the file names, else of its first scene, else all nodes that no node contains."""
-        scenes = self._document.items("scenes")
-        if not scenes:
-            contained = {child for node in self.nodes for child in node.get("children", [])}
-            return [index for index in range(len(self.nodes)) if index not in contained]
-        scene = self._document.item("scenes", self._document.json.get("scene", 0), "scene")
-        return self._indices(scene, "nodes", "scene")
 
     def chain(self, node: int) -> list[int]:
         """From the root to the node."""
@@ -183,29 +174,21 @@ class Tree:
         if key not in self.nodes[node]:
             return np.array(default, np.float64)
         found = self._numbers(self.nodes[node], key, len(default), node)
-        if key == "rotation" and np.linalg.norm(found) < 1e-3:
-            raise self._document.fault(f"{self.label(node)}: rotation: must not be 0")
+        if key == "rotation" and not 1e-3 < np.linalg.norm(found) < 1e3:
+            raise self._document.fault(f"{self.label(node)}: rotation: is no unit quaternion")
         return found
 
     def _numbers(self, item: Json, key: str, count: int, node: int) -> Array:
         value = item[key]
         is_right = isinstance(value, list) and len(value) == count and all(isinstance(x, (int, float)) for x in value)
-        if not is_right or not np.isfinite(np.array(value, np.float64)).all():
-            raise self._document.fault(f"{self.label(node)}: {key}: must be {count} numbers")
+        if not is_right or not (np.abs(np.array(value, np.float64)) < LARGEST).all():
+            raise self._document.fault(f"{self.label(node)}: {key}: must be {count} numbers below {LARGEST:g}")
         return np.array(value, np.float64)
 
     def label(self, node: int) -> str:
         """The node in messages."""
         name = self.nodes[node].get("name")
         return f"node {node}" + (f" ({name!r})" if isinstance(name, str) and name else "")
-
-    def _indices(self, item: Json, key: str, where: str) -> list[int]:
-        found = item.get(key, [])
-        if not isinstance(found, list):
-            raise self._document.fault(f"{where}: {key}: must be a list")
-        for index in found:
-            self._document.item("nodes", index, where)
-        return [int(index) for index in found]
 
     def _walk(self, roots: list[int]) -> list[int]:
         order: list[int] = []
@@ -218,7 +201,7 @@ class Tree:
         while rest:
             node = rest.pop()
             order.append(node)
-            children = self._indices(self.nodes[node], "children", f"node {node}")
+            children = _indices(self._document, self.nodes[node], "children", f"node {node}")
             for child in children:
                 if child in seen:
                     raise self._document.fault(f"{self.label(child)} is below two nodes, or contains itself")
@@ -251,6 +234,16 @@ class Tree:
             given[index] = found[0] if found else "part"
             own[index] = any(isinstance(name, str) and name.strip() for name in names)
         return _unique(given, sorted(indices, key=lambda index: not own[index]))
+
+
+def roots_of(document: Document) -> list[int]:
+    """The roots of the scene that the file names, else of its first scene, else all nodes that no node contains."""
+    if document.items("scenes"):
+        scene = document.item("scenes", document.json.get("scene", 0), "scene")
+        return _indices(document, scene, "nodes", "scene")
+    nodes = document.items("nodes")
+    contained = {child for index, node in enumerate(nodes) for child in _indices(document, node, "children", f"node {index}")}
+    return [index for index in range(len(nodes)) if index not in contained]
 
 
 def load_bodies(document: Document, carriers: list[Carrier], threads: int = 0) -> dict[str, Polyhedron]:
@@ -286,6 +279,15 @@ def _unique(given: dict[int, str], order: list[int]) -> dict[int, str]:
         used.add(name)
         result[index] = name
     return result
+
+
+def _indices(document: Document, item: Json, key: str, where: str) -> list[int]:
+    found = item.get(key, [])
+    if not isinstance(found, list):
+        raise document.fault(f"{where}: {key}: must be a list")
+    for index in found:
+        document.item("nodes", index, where)
+    return [int(index) for index in found]
 
 
 def _pose_of(shift: Array, turn: Array) -> Array:
