@@ -11,14 +11,14 @@ from __future__ import annotations
 import os
 import pathlib
 from collections.abc import Collection, Iterable, Sequence
-from typing import Union
 
 from .gltf_animation import Animation
 from .gltf_answer import AnimationContact, TimedContact, Untested
+from .gltf_bodies import load_bodies
 from .gltf_file import Document
 from .gltf_marks import write_marked
 from .gltf_tracks import Tracks
-from .gltf_tree import Tree, load_bodies
+from .gltf_tree import Tree
 
 __all__ = ["Animation", "AnimationContact", "TimedContact", "Untested", "animations", "mark", "read"]
 
@@ -76,7 +76,9 @@ def read(
         raise document.fault("has no face; a scene needs at least one body")
     bodies = load_bodies(document, carriers, threads)
     kept = [carrier for carrier in carriers if carrier.name in bodies]
-    return Animation(document.path, document.files, {index: names[index] for index in chosen}, tracks, tree, kept, bodies)
+    return Animation(
+        document.path, document.files, {index: names[index] for index in chosen}, tracks, tree, kept, bodies
+    )
 
 
 def mark(
@@ -118,13 +120,17 @@ def _names_of(document: Document) -> list[str]:
     return [name if isinstance(name, str) and name else f"animation {index}" for index, name in enumerate(found)]
 
 
-def _chosen(document: Document, names: list[str], animation: Union[str, int, Sequence[Union[str, int]], None]) -> list[int]:
+def _chosen(document: Document, names: list[str], animation: str | int | Sequence[str | int] | None) -> list[int]:
     listed = ", ".join(map(repr, names[:20])) + (", ..." if len(names) > 20 else "")
     if not names:
-        raise document.fault("has no animation; `chasles scene` and `chasles.Scene` take bodies and motions of one's own")
+        raise document.fault(
+            "has no animation; `chasles scene` and `chasles.Scene` take bodies and motions of one's own"
+        )
     if animation is None:
         if len(names) > 1:
-            raise document.fault(f"has {len(names)} animations ({listed}); choose one, or several that are played at the same time")
+            raise document.fault(
+                f"has {len(names)} animations ({listed}); choose one, or several that are played at the same time"
+            )
         return [0]
     wanted = [animation] if isinstance(animation, (str, int)) else list(animation)
     result = []

@@ -21,7 +21,9 @@ from .gltf_tree import STATIC, Carrier, Tree
 Array = npt.NDArray[np.float64]
 Pair = tuple[str, str]
 
-OVERLAP = 2.0**-50  # intervals between jumps are longer by this part of the duration, which is more than their roundings
+OVERLAP = (
+    2.0**-50
+)  # intervals between jumps are longer by this part of the duration, which is more than their roundings
 
 
 class Animation:
@@ -93,7 +95,9 @@ class Animation:
                 scene.add(carrier.name, body, group="static")
                 continue
             motion = self._motion(carrier.mover, piece)
-            scene.add(carrier.name, body, motion=rest_of(motion, part) if piece else motion, group=f"node {carrier.mover}")
+            scene.add(
+                carrier.name, body, motion=rest_of(motion, part) if piece else motion, group=f"node {carrier.mover}"
+            )
         for mover in self._movers:
             scene.ignore_groups(f"node {mover}", f"node {mover}")
         if len(self.jumps):
@@ -164,7 +168,9 @@ class Animation:
                 answers.setdefault(frozenset(found.pair or ()), self._answer(found, piece, [found], margin))
         return sorted(answers.values(), key=lambda answer: answer.time)
 
-    def untested(self, *, ignore: Iterable[Pair] = (), ignore_touching_at_start: bool = False, margin: float = 0.0) -> Untested:
+    def untested(
+        self, *, ignore: Iterable[Pair] = (), ignore_touching_at_start: bool = False, margin: float = 0.0
+    ) -> Untested:
         """What a question with these arguments leaves out."""
         return self._untested(self._ignored(ignore, margin if ignore_touching_at_start else None))
 
@@ -238,10 +244,14 @@ class Animation:
             groups.setdefault(carrier.mover, []).append(carrier.name)
         rests = sum(len(names) * (len(names) - 1) // 2 for names in groups.values())
         named = (pair for names in groups.values() for pair in combinations(names, 2))
-        pairs = {"at_rest": [pair for pair, _ in zip(named, range(100))]} | {key: found[:100] for key, found in ignored.items()}
+        pairs = {"at_rest": [pair for pair, _ in zip(named, range(100))]} | {
+            key: found[:100] for key, found in ignored.items()
+        }
         counts = {"at_rest": rests} | {key: len(found) for key, found in ignored.items()}
         counts = {reason: number for reason, number in counts.items() if number}
-        return Untested(count * (count - 1) // 2 - sum(counts.values()), {reason: pairs[reason] for reason in counts}, counts)
+        return Untested(
+            count * (count - 1) // 2 - sum(counts.values()), {reason: pairs[reason] for reason in counts}, counts
+        )
 
     # Answers
 
@@ -264,7 +274,9 @@ class Animation:
             answer.verdict = Verdict.contact_at_start
         at = float(self.jumps[piece - 1]) if piece else 0.0
         answer.pair, answer.certain = found.pair, found.certain
-        answer.at_jump = at_start and any(at in self._tree.jumps(mover) for mover in self._movers_of(*found.pair) - {STATIC})
+        answer.at_jump = at_start and any(
+            at in self._tree.jumps(mover) for mover in self._movers_of(*found.pair) - {STATIC}
+        )
         answer.time = at if at_start else outward(start, found.time, rest, up=False)
         answer.time_upper = at if at_start else outward(start, found.time_upper, rest, up=True)
         if at_start:

@@ -44,15 +44,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser(prog="chasles animation", description="Proves what touches first in an animation of a glTF file.", allow_abbrev=False)
+    parser = Parser(
+        prog="chasles animation",
+        description="Proves what touches first in an animation of a glTF file.",
+        allow_abbrev=False,
+    )
     add: Any = parser.add_argument
     add("file", metavar="SCENE.glb", help="a file .glb or .gltf")
-    add("--animation", metavar="NAME", action="append", help="the name of an animation, or its number from 0; several are played at the same time")
+    add(
+        "--animation",
+        metavar="NAME",
+        action="append",
+        help="the name of an animation, or its number from 0; several are played at the same time",
+    )
     add("--together", action="store_true", help="play all animations of the file at the same time")
     add("--margin", metavar="D", type=float, default=0.0, help="distance that counts as contact (default 0)")
     add("--all", action="store_true", help="list the first contact of each pair")
     add("--all-contacts", action="store_true", help="list every feature pair at the time of a contact")
-    add("--ignore", metavar=("A", "B"), nargs=2, action="append", default=[], help="two bodies that are not tested against each other")
+    add(
+        "--ignore",
+        metavar=("A", "B"),
+        nargs=2,
+        action="append",
+        default=[],
+        help="two bodies that are not tested against each other",
+    )
     add("--ignore-touching-at-start", action="store_true", help="leave out pairs that touch at the start")
     add("--leave-out", metavar="NAME", action="append", default=[], help="a node whose mesh is no body")
     add("--mark", metavar="OUT.glb", help="write a copy of the file with a marker at each contact")
@@ -77,7 +93,10 @@ def _answer(options: argparse.Namespace) -> int:
         "ignore": options.ignore,
         "ignore_touching_at_start": options.ignore_touching_at_start,
     }
-    details: dict[str, Any] = {"find": "first_with_all_contacts" if options.all_contacts else "first", "threads": options.threads}
+    details: dict[str, Any] = {
+        "find": "first_with_all_contacts" if options.all_contacts else "first",
+        "threads": options.threads,
+    }
     if options.all:
         found = animation.all_contacts(**question, **details)
         _print_all(animation, found, animation.untested(**question), options.json)
@@ -108,14 +127,18 @@ def _print_first(found: AnimationContact, as_json: bool) -> None:
         print(f"chasles: warning: {warning}", file=sys.stderr)
 
 
-def _print_all(animation: gltf.Animation, found: list[AnimationContact], untested: gltf.Untested, as_json: bool) -> None:
+def _print_all(
+    animation: gltf.Animation, found: list[AnimationContact], untested: gltf.Untested, as_json: bool
+) -> None:
     motion = {"kind": animation.kinds, "animations": animation.animations, "duration": animation.duration}
     if as_json:
         answer = {"events": [one.event() for one in found], "untested": untested_json(untested)}
         print(json.dumps(answer | {"warnings": animation.warnings, "motion": motion}))
         return
     touch = "touches" if len(found) == 1 else "touch"
-    print(f"{len(found)} pair{'s' * (len(found) != 1)} {touch}; animation {', '.join(map(repr, animation.animations))}, {animation.kinds}")
+    print(
+        f"{len(found)} pair{'s' * (len(found) != 1)} {touch}; animation {', '.join(map(repr, animation.animations))}, {animation.kinds}"
+    )
     for one in found:
         print(f"  {one.time:<12.9g} {' on '.join(one.pair or ())}{'' if one.certain else ' (not certain)'}")
     if untested.pairs:

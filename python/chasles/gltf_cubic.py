@@ -50,7 +50,9 @@ class Part:
             first, second = self.bound(1), self.bound(2)
             return 2 * first / least, 2 * second / least + 4 * (first / least) ** 2, least
         if halves == MOST_HALVES:
-            raise InvalidInput("the cubic spline of a rotation may pass 0 between two keys, where it has no direction; export more keys")
+            raise InvalidInput(
+                "the cubic spline of a rotation may pass 0 between two keys, where it has no direction; export more keys"
+            )
         middle = 0.5 * (self.start + self.end)
         parts = [replace(self, end=middle).turn_rates(halves + 1), replace(self, start=middle).turn_rates(halves + 1)]
         return max(part[0] for part in parts), max(part[1] for part in parts), min(part[2] for part in parts)
@@ -73,7 +75,12 @@ class CubicCurve:
         """Through values (n, k) with tangents (n, 2, k), in and out, per unit of the stamps (appendix C.5 of the specification)."""
         steps = np.diff(stamps)[:, None]
         points = np.stack(
-            [values[:-1], values[:-1] + steps * tangents[:-1, 1] / 3, values[1:] - steps * tangents[1:, 0] / 3, values[1:]],
+            [
+                values[:-1],
+                values[:-1] + steps * tangents[:-1, 1] / 3,
+                values[1:] - steps * tangents[1:, 0] / 3,
+                values[1:],
+            ],
             axis=1,
         )
         rests = [np.broadcast_to(value, (1, 4, values.shape[1])) for value in (values[0], values[-1])]

@@ -15,7 +15,7 @@ import struct
 import tempfile
 import urllib.parse
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 import numpy.typing as npt
@@ -29,7 +29,14 @@ MOST_JSON = 1 << 28  # bytes
 MOST_SPARSE = 1 << 20  # elements of an accessor without bytes of its own, as for meshes
 LARGEST = 1e30  # number of a transform
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
-TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+TYPES: dict[int, Any] = {
+    5120: np.int8,
+    5121: np.uint8,
+    5122: np.int16,
+    5123: np.uint16,
+    5125: np.uint32,
+    5126: np.float32,
+}
 COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
 
 
@@ -65,7 +72,7 @@ class Document:
         items = self.items(kind)
         if not is_index(index) or index >= len(items):
             raise self.fault(f"{where}: there is no {kind[:-1]} {str(index)[:40]}")
-        return items[index]
+        return items[int(index)]
 
     def count(self, item: Json, key: str, where: str, default: int | None = None) -> int:
         """A number that counts or is an index."""
@@ -197,7 +204,9 @@ class Document:
             raise self.fault(f"{where}: announces {count} elements, which are more than its bufferView has")
         if not count:
             return np.zeros((0, components))
-        raw = np.ndarray((count, components), np.dtype(kind).newbyteorder("<"), data, offset, (stride, size // components))
+        raw = np.ndarray(
+            (count, components), np.dtype(kind).newbyteorder("<"), data, offset, (stride, size // components)
+        )
         found = raw.astype(np.float64)
         if like.get("normalized"):
             if kind in (np.float32, np.uint32):
@@ -250,9 +259,11 @@ class Document:
         return self._bytes_of(file)
 
 
-def is_index(value: Any) -> bool:
+def is_index(value: Any) -> TypeGuard[float]:
     """Whether a value of JSON is an integer from 0 on."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < 2**53 and value == int(value)
+    return (
+        isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < 2**53 and value == int(value)
+    )
 
 
 def refuse_input(out: str | os.PathLike[str], inputs: set[pathlib.Path]) -> None:

@@ -7,7 +7,6 @@ import copy
 import os
 import pathlib
 import urllib.parse
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -28,7 +27,9 @@ MATERIAL = {
 }
 
 
-def write_marked(document: Document, answers: list[AnimationContact], out: pathlib.Path, size: float | None) -> pathlib.Path:
+def write_marked(
+    document: Document, answers: list[AnimationContact], out: pathlib.Path, size: float | None
+) -> pathlib.Path:
     """See `chasles.gltf.mark`."""
     if out.suffix.lower() != ".glb":
         raise InvalidInput(f"{out}: must end in .glb")
@@ -104,13 +105,20 @@ class Writer:
             target = {"node": node, "path": "scale"}
             animated["channels"].append({"sampler": len(animated["samplers"]) - 1, "target": target})
 
-    def _accessor(self, numbers: np.ndarray, kind: str, component: int, target: int | None, has_bounds: bool = False) -> int:
+    def _accessor(
+        self, numbers: np.ndarray, kind: str, component: int, target: int | None, has_bounds: bool = False
+    ) -> int:
         data = numbers.tobytes()
         view = {"buffer": 0, "byteOffset": self._start + len(self.more), "byteLength": len(data)}
         self.more += data + b"\0" * (-len(data) % 4)
         if target is not None:
             view["target"] = target
-        accessor: Json = {"bufferView": self._append("bufferViews", view), "componentType": component, "count": len(numbers), "type": kind}
+        accessor: Json = {
+            "bufferView": self._append("bufferViews", view),
+            "componentType": component,
+            "count": len(numbers),
+            "type": kind,
+        }
         if has_bounds:
             rows = numbers.reshape(len(numbers), -1)
             accessor |= {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()}

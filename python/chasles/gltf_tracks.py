@@ -106,7 +106,9 @@ class Tracks:
             self.morphed.add(int(target["node"]))
             self.duration = max(self.duration, float(self._stamps(sampler, place)[-1]))
         elif not isinstance(path, str) or path not in KINDS:
-            raise self._document.fault(f"{place}: path: {str(path)[:20]!r} is none of translation, rotation, scale, weights")
+            raise self._document.fault(
+                f"{place}: path: {str(path)[:20]!r} is none of translation, rotation, scale, weights"
+            )
         else:
             self._add(target["node"], path, sampler, place)
 
@@ -121,7 +123,9 @@ class Tracks:
 
     def _add(self, node: Any, path: str, sampler: Json, place: str) -> None:
         if "matrix" in self._document.item("nodes", node, place):
-            raise self._document.fault(f"{place}: node {node} has a matrix; an animated node has translation, rotation and scale")
+            raise self._document.fault(
+                f"{place}: node {node} has a matrix; an animated node has translation, rotation and scale"
+            )
         if (int(node), path) in self.of_node:
             raise self._document.fault(f"{place}: the {path} of node {node} is animated twice; choose one animation")
         track = self._track(path, sampler, place)
@@ -138,7 +142,9 @@ class Tracks:
         values = self._document.numbers(sampler.get("output"), KINDS[path], place)
         each = 3 if interpolation == "CUBICSPLINE" else 1
         if len(values) != each * len(stamps):
-            raise self._document.fault(f"{place}: {len(stamps)} times and {len(values)} values; it needs {each} for each time")
+            raise self._document.fault(
+                f"{place}: {len(stamps)} times and {len(values)} values; it needs {each} for each time"
+            )
         tangents = None
         if each == 3:
             values = values.reshape(len(stamps), 3, -1)
@@ -164,7 +170,9 @@ class Tracks:
         lengths = np.linalg.norm(values, axis=1)
         wrong = np.flatnonzero(~((lengths > 1e-3) & (lengths < 1e3)))
         if len(wrong):
-            raise self._document.fault(f"{place}: rotation {wrong[0]}: is no unit quaternion, but has the length {lengths[wrong[0]]:.3g}")
+            raise self._document.fault(
+                f"{place}: rotation {wrong[0]}: is no unit quaternion, but has the length {lengths[wrong[0]]:.3g}"
+            )
         units = values / lengths[:, None]
         if interpolation == "LINEAR" and (np.abs((units[1:] * units[:-1]).sum(axis=1)) < HALF_TURN).any():
             self.warnings.append(
@@ -186,7 +194,7 @@ def moved(shift: Value, turn: Value, since: float, duration: float, scale: float
     if all(track.interpolation == "LINEAR" and np.array_equal(track.stamps, tracks[0].stamps) for track in tracks):
         return _linear(tracks[0].stamps, _poses(shift, turn, scale), duration)
     # Keys at different times: a product needs no pose between keys, so nothing is rounded.
-    return moved(shift, NO_TURN, since, duration, scale) * moved(np.zeros(3), turn, since, duration)  # type: ignore[operator]
+    return moved(shift, NO_TURN, since, duration, scale) * moved(np.zeros(3), turn, since, duration)
 
 
 def _at_step(track: Value, since: float) -> Value:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import pathlib
-import tempfile
 from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from ._core import InvalidInput, Motion, Polyhedron, load_parts
+from ._core import InvalidInput, Motion
 from .gltf_file import LARGEST, Document, Json
 from .gltf_tracks import Tracks, moved
 
@@ -54,7 +52,9 @@ class Tree:
         names = self._names(with_faces)
         unknown = [name for name in leave_out if name not in names.values()]
         if unknown:
-            raise self._document.fault(f"leave_out: no node with faces has the name {unknown[0]!r}; there are {_listed(names.values())}")
+            raise self._document.fault(
+                f"leave_out: no node with faces has the name {unknown[0]!r}; there are {_listed(names.values())}"
+            )
         kept = [index for index in with_faces if names[index] not in leave_out]
         for index in kept:
             self._refuse_deformed(index, names[index])
@@ -64,13 +64,15 @@ class Tree:
         """The rigid motion of the frame of a node, over the whole duration. Steps are as from the time `since` on."""
         result: Motion | None = None
         for factor in self._factors(mover, since):
-            result = factor if result is None else result * factor  # type: ignore[operator]
+            result = factor if result is None else result * factor
         assert result is not None
         return result
 
     def jumps(self, mover: int) -> set[float]:
         """The times at which the node or one above it jumps."""
-        tracks = (self._tracks.of_node.get((node, path)) for node in self.chain(mover) for path in ("translation", "rotation"))
+        tracks = (
+            self._tracks.of_node.get((node, path)) for node in self.chain(mover) for path in ("translation", "rotation")
+        )
         return {float(time) for track in tracks if track is not None for time in track.jumps()}
 
     def _factors(self, mover: int, since: float) -> list[Motion]:
@@ -129,7 +131,9 @@ class Tree:
         linear = matrix[:3, :3]
         scale = float(np.cbrt(np.linalg.det(linear)))
         if scale == 0:
-            raise self._document.fault(f"{self.label(node)}: a scale of 0 is above it, or its own; remove the node or scale it")
+            raise self._document.fault(
+                f"{self.label(node)}: a scale of 0 is above it, or its own; remove the node or scale it"
+            )
         turn = linear / scale
         skew = float(np.abs(turn.T @ turn - np.eye(3)).max())
         if skew > MOST_SKEW:
@@ -217,9 +221,13 @@ class Tree:
 
     def _refuse_deformed(self, index: int, name: str) -> None:
         if "skin" in self.nodes[index]:
-            raise self._document.fault(f"node {name!r} has a skin, and deforms: bodies are rigid; leave it out ({name!r}), or export rigid parts")
+            raise self._document.fault(
+                f"node {name!r} has a skin, and deforms: bodies are rigid; leave it out ({name!r}), or export rigid parts"
+            )
         if index in self._tracks.morphed:
-            raise self._document.fault(f"node {name!r} is morphed (animated weights): bodies are rigid; leave it out ({name!r}), or export rigid parts")
+            raise self._document.fault(
+                f"node {name!r} is morphed (animated weights): bodies are rigid; leave it out ({name!r}), or export rigid parts"
+            )
         for node in self.chain(index):
             self._scale(node)  # refuses one that is animated
 
@@ -228,7 +236,10 @@ class Tree:
         given: dict[int, str] = {}
         own: dict[int, bool] = {}
         for index in indices:
-            names = [self.nodes[index].get("name"), self._document.items("meshes")[int(self.nodes[index]["mesh"])].get("name")]
+            names = [
+                self.nodes[index].get("name"),
+                self._document.items("meshes")[int(self.nodes[index]["mesh"])].get("name"),
+            ]
             above = [self.nodes[node].get("name") for node in self.chain(index)[-2::-1]]
             found = [" ".join(name.split()) for name in [*names, *above] if isinstance(name, str) and name.strip()]
             given[index] = found[0] if found else "part"
@@ -242,29 +253,19 @@ def roots_of(document: Document) -> list[int]:
         scene = document.item("scenes", document.json.get("scene", 0), "scene")
         return _indices(document, scene, "nodes", "scene")
     nodes = document.items("nodes")
-    contained = {child for index, node in enumerate(nodes) for child in _indices(document, node, "children", f"node {index}")}
+    contained = {
+        child for index, node in enumerate(nodes) for child in _indices(document, node, "children", f"node {index}")
+    }
     return [index for index in range(len(nodes)) if index not in contained]
 
 
-def load_bodies(document: Document, carriers: list[Carrier], threads: int = 0) -> dict[str, Polyhedron]:
-    """The body of each carrier in the frame of its mover. The package's own reader reads a file in which each carrier is a root."""
-    json = {key: document.json[key] for key in ("asset", "accessors", "bufferViews", "meshes") if key in document.json}
-    required = document.json.get("extensionsRequired", [])
-    if isinstance(required, list):
-        json["extensionsRequired"] = [name for name in required if name != "KHR_animation_pointer"]
-    nodes: list[Json] = [{} for _ in document.items("nodes")]
-    for carrier in carriers:
-        node = {"mesh": int(document.items("nodes")[carrier.node]["mesh"]), "name": carrier.name}
-        node["matrix"] = carrier.to_mover.T.reshape(-1).tolist()
-        nodes[carrier.node] = node | {key: value for key, value in document.items("nodes")[carrier.node].items() if key in ("extensions", "weights")}
-    json |= {"nodes": nodes, "scenes": [{"nodes": [carrier.node for carrier in carriers]}], "scene": 0}
-    with tempfile.TemporaryDirectory(prefix="chasles-") as folder:
-        file = pathlib.Path(folder, "scene.glb")
-        file.write_bytes(document.as_glb(json))
-        try:
-            return load_parts(file, threads=threads)
-        except InvalidInput as error:
-            raise InvalidInput(str(error).replace(str(file), str(document.path))) from None
+def _indices(document: Document, item: Json, key: str, where: str) -> list[int]:
+    found = item.get(key, [])
+    if not isinstance(found, list):
+        raise document.fault(f"{where}: {key}: must be a list")
+    for index in found:
+        document.item("nodes", index, where)
+    return [int(index) for index in found]
 
 
 def _unique(given: dict[int, str], order: list[int]) -> dict[int, str]:
@@ -279,15 +280,6 @@ def _unique(given: dict[int, str], order: list[int]) -> dict[int, str]:
         used.add(name)
         result[index] = name
     return result
-
-
-def _indices(document: Document, item: Json, key: str, where: str) -> list[int]:
-    found = item.get(key, [])
-    if not isinstance(found, list):
-        raise document.fault(f"{where}: {key}: must be a list")
-    for index in found:
-        document.item("nodes", index, where)
-    return [int(index) for index in found]
 
 
 def _pose_of(shift: Array, turn: Array) -> Array:

@@ -81,7 +81,10 @@ class Sampler:
         for channel in found["channels"]:
             sampler = found["samplers"][channel["sampler"]]
             key = channel["target"]["node"], channel["target"]["path"]
-            self.tracks[key] = (*(self.numbers(sampler[name]) for name in ("input", "output")), sampler["interpolation"])
+            self.tracks[key] = (
+                *(self.numbers(sampler[name]) for name in ("input", "output")),
+                sampler["interpolation"],
+            )
 
     def numbers(self, index):
         item = self.maker.json["accessors"][index]
@@ -156,19 +159,29 @@ def random_scene(random, bodies=6, kinds=("LINEAR", "STEP", "CUBICSPLINE"), spre
         scale = float(random.uniform(0.6, 1.3)) * random.choice([1, 1, -1])
         shape = {"scale": [scale] * 3} if random.random() < 0.5 else {}
         node = maker.node(f"part {number}", parent, translation=random.normal(scale=spread, size=3).tolist(), **shape)
-        maker.node(f"cube {number}", node, mesh=mesh, scale=random.uniform(0.5, 1.5, 3).tolist(), rotation=random_quaternions(random, 1)[0].tolist())
+        maker.node(
+            f"cube {number}",
+            node,
+            mesh=mesh,
+            scale=random.uniform(0.5, 1.5, 3).tolist(),
+            rotation=random_quaternions(random, 1)[0].tolist(),
+        )
         nodes.append(node)
         for path, size in (("translation", 3), ("rotation", 4)):
             if random.random() < 0.75:
                 add_random_track(random, maker, node, path, size, str(random.choice(kinds)), spread)
-    add_random_track(random, maker, nodes[0], "translation", 3, kinds[0], spread) if not maker.json.get("animations") else None
+    add_random_track(random, maker, nodes[0], "translation", 3, kinds[0], spread) if not maker.json.get(
+        "animations"
+    ) else None
     return maker
 
 
 def add_random_track(random, maker, node, path, size, kind, spread):
     count = int(random.integers(2, 7))
     stamps = np.unique(np.round(random.uniform(0, 3, count), 3).astype(np.float32))
-    values = random.normal(scale=spread, size=(len(stamps), 3)) if size == 3 else random_quaternions(random, len(stamps))
+    values = (
+        random.normal(scale=spread, size=(len(stamps), 3)) if size == 3 else random_quaternions(random, len(stamps))
+    )
     if kind == "CUBICSPLINE":
         values = np.abs(values) if size == 4 else values
         tangents = random.normal(scale=spread if size == 3 else 0.3, size=(len(stamps), 2, size))

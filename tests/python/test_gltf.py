@@ -1,11 +1,10 @@
 """Animations of glTF: poses beside scipy's, contacts at times of closed formulas, jumps, and what is not tested."""
 
+import chasles
+import chasles.gltf
 import numpy as np
 import pytest
 from conftest import ROOT
-
-import chasles
-import chasles.gltf
 
 pytest.importorskip("scipy")
 from chasles.gltf_cubic import CubicCurve, cubic_motion  # noqa: E402
@@ -130,7 +129,9 @@ def test_bounds_of_cubic_splines_hold(seed):
     motion = cubic_motion(places, quaternions)
     assert motion.find_broken_bound(600, seed) is None
     halves = chasles.Trajectory(
-        motion.pose_at, lambda a, b: {"speed": 0.5 * places.within(a, b).bound(1), "turn_rate": 1e9}, knots=places.knots[1:-1].tolist()
+        motion.pose_at,
+        lambda a, b: {"speed": 0.5 * places.within(a, b).bound(1), "turn_rate": 1e9},
+        knots=places.knots[1:-1].tolist(),
     )
     assert halves.find_broken_bound(600, seed) is not None  # the bounds are not loose
 
@@ -184,7 +185,9 @@ def test_others_move_on_while_one_jumps(file):
     maker = jumper(0, 6, 6)
     sled = maker.node("sled", mesh=0)
     maker.animate(sled, "translation", [0, 2], [[6, 0, 0.25], [6, 0, -9]])
-    assert chasles.gltf.read(maker.write(file)).first_contact().verdict == "clear"  # it has left the place when the box comes
+    assert (
+        chasles.gltf.read(maker.write(file)).first_contact().verdict == "clear"
+    )  # it has left the place when the box comes
 
 
 def test_pairs_that_stand_still_are_named(file):
@@ -242,7 +245,12 @@ def test_several_animations_are_chosen_or_played_together(file):
         chasles.gltf.read(file)
     both = chasles.gltf.read(file, ["take 0", 1])
     assert both.duration == 4 and both.animations == ["take 0", "take 1"]
-    for wrong, why in [("walk", "no animation 'walk'"), (2, "no animation 2"), ([0, 0], "each once"), ([], "at least one")]:
+    for wrong, why in [
+        ("walk", "no animation 'walk'"),
+        (2, "no animation 2"),
+        ([0, 0], "each once"),
+        ([], "at least one"),
+    ]:
         with pytest.raises(chasles.InvalidInput, match=why):
             chasles.gltf.read(file, wrong)
 
@@ -258,7 +266,9 @@ def test_the_page_tells_the_truth(tmp_path, monkeypatch):
     import doctest
 
     monkeypatch.chdir(tmp_path)
-    example = doctest.DocTestParser().get_doctest(code_of(ROOT / "docs" / "gltf.md"), {}, "docs/gltf.md", "docs/gltf.md", 0)
+    example = doctest.DocTestParser().get_doctest(
+        code_of(ROOT / "docs" / "gltf.md"), {}, "docs/gltf.md", "docs/gltf.md", 0
+    )
     failures: list[str] = []
     doctest.DocTestRunner().run(example, out=failures.append)
     assert not failures and len(example.examples) > 5, "".join(failures)

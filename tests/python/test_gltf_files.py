@@ -5,11 +5,10 @@ import copy
 import json
 import random
 
-import numpy as np
-import pytest
-
 import chasles
 import chasles.gltf
+import numpy as np
+import pytest
 
 pytest.importorskip("scipy")
 from gltf_files import Maker, random_scene  # noqa: E402
@@ -60,7 +59,13 @@ def test_several_buffers_become_one(tmp_path):
     (tmp_path / "two.gltf").write_text(json.dumps(maker.json), "utf-8")
     assert time_of(tmp_path / "two.gltf") == pytest.approx(1.25, abs=1e-9)
     found = chasles.gltf.read(tmp_path / "two.gltf").first_contact()
-    assert time_of(chasles.gltf.mark(tmp_path / "two.gltf", found, tmp_path / "one.glb"), leave_out=["contact box on floor at 1.25 s"]) == found.time
+    assert (
+        time_of(
+            chasles.gltf.mark(tmp_path / "two.gltf", found, tmp_path / "one.glb"),
+            leave_out=["contact box on floor at 1.25 s"],
+        )
+        == found.time
+    )
 
 
 def test_normalized_integers_and_sparse_values(file):
@@ -130,11 +135,15 @@ def keys(stamps):
 REFUSED = {
     "node 'box' has a skin": skinned,
     "node 'box' is morphed": lambda maker: maker.animate(1, "weights", [0, 1], [0, 1]),
-    "node 1 ('box'): its scale is animated (from 1 to 2)": lambda maker: maker.animate(1, "scale", [0, 1], [[1, 1, 1], [1, 2, 1]]),
+    "node 1 ('box'): its scale is animated (from 1 to 2)": lambda maker: maker.animate(
+        1, "scale", [0, 1], [[1, 1, 1], [1, 2, 1]]
+    ),
     "node 1 ('box') moves below a scale that is not the same": under_a_squeeze,
     "node 1 has a matrix": with_matrix,
     "animates '/nodes/1/rotation'": pointed,
-    "the translation of node 1 is animated twice": lambda maker: maker.animate(1, "translation", [0, 1], [[0, 0, 0]] * 2),
+    "the translation of node 1 is animated twice": lambda maker: maker.animate(
+        1, "translation", [0, 1], [[0, 0, 0]] * 2
+    ),
     "'BEZIER' is none of LINEAR": sampler(interpolation="BEZIER"),
     "2 times and 2 values; it needs 3": sampler(interpolation="CUBICSPLINE"),
     "there is no accessor 99": sampler(input=99),
@@ -177,7 +186,9 @@ def test_what_deforms_can_be_left_out(file):
     skinned(maker)
     animation = chasles.gltf.read(maker.write(file), leave_out=["box"])
     assert list(animation.bodies) == ["floor"] and "no pair is tested" in str(animation.first_contact())
-    with pytest.raises(chasles.InvalidInput, match="leave_out: no node with faces has the name 'dog'; there are 'box', 'floor'"):
+    with pytest.raises(
+        chasles.InvalidInput, match="leave_out: no node with faces has the name 'dog'; there are 'box', 'floor'"
+    ):
         chasles.gltf.read(file, leave_out=["dog"])
 
 
@@ -188,12 +199,16 @@ def test_what_moves_nothing_is_a_warning(file):
     found["channels"] += [{"sampler": 0, "target": pointer}, {"sampler": 0, "target": {"path": "translation"}}]
     maker.json["extensionsRequired"] = ["KHR_animation_pointer"]
     animation = chasles.gltf.read(maker.write(file))
-    assert any("/materials/0" in text for text in animation.warnings) and any("names no node" in text for text in animation.warnings)
+    assert any("/materials/0" in text for text in animation.warnings) and any(
+        "names no node" in text for text in animation.warnings
+    )
     assert any("half turn" in text for text in animation.warnings)
     assert animation.first_contact().time == pytest.approx(1.25, abs=1e-9)
 
 
-@pytest.mark.parametrize("data", [b"", b"{", b"[]", b"glTF", b"glTF" + b"\0" * 30, b"version https://git-lfs", b"\xff\xfe" * 9, b"[" * 99999])
+@pytest.mark.parametrize(
+    "data", [b"", b"{", b"[]", b"glTF", b"glTF" + b"\0" * 30, b"version https://git-lfs", b"\xff\xfe" * 9, b"[" * 99999]
+)
 def test_what_is_no_gltf(file, data):
     file.write_bytes(data)
     with pytest.raises(chasles.InvalidInput, match="scene.glb: "):
@@ -212,7 +227,27 @@ def test_cut_files(file, tmp_path):
         chasles.gltf.read(tmp_path)
 
 
-JUNK = [None, -1, 0, 2, 7, 1e300, -0.5, 2**53, "x", "", [], {}, [0], {"a": 1}, True, [1, 2, 3], [0, 0, 0, 0], "STEP", "CUBICSPLINE"]
+JUNK = [
+    None,
+    -1,
+    0,
+    2,
+    7,
+    1e300,
+    -0.5,
+    2**53,
+    "x",
+    "",
+    [],
+    {},
+    [0],
+    {"a": 1},
+    True,
+    [1, 2, 3],
+    [0, 0, 0, 0],
+    "STEP",
+    "CUBICSPLINE",
+]
 
 
 def places_in(item, path=()):
@@ -225,7 +260,9 @@ def test_damaged_json_gets_one_clear_error(file, tmp_path):
     """Whatever is wrong is an InvalidInput of one line, and whatever is not can be asked about and marked."""
     chance, refused = random.Random(5), 0
     for number in range(250):
-        maker = random_scene(np.random.default_rng(number % 5), bodies=2, kinds=[["LINEAR"], ["STEP"], ["CUBICSPLINE"]][number % 3])
+        maker = random_scene(
+            np.random.default_rng(number % 5), bodies=2, kinds=[["LINEAR"], ["STEP"], ["CUBICSPLINE"]][number % 3]
+        )
         path = chance.choice(list(places_in(maker.json)))
         item = maker.json
         for key in path[:-1]:

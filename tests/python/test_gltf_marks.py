@@ -6,11 +6,10 @@ import struct
 import subprocess
 import sys
 
-import numpy as np
-import pytest
-
 import chasles
 import chasles.gltf
+import numpy as np
+import pytest
 from chasles.gltf_command import main
 
 pytest.importorskip("scipy")
@@ -31,7 +30,10 @@ def read_back(path):
     maker = Maker()
     maker.json = json.loads(data[20 : 20 + length])
     maker.binary = data[28 + length :]
-    assert struct.unpack_from("<4sII", data) == (b"glTF", 2, len(data)) and len(maker.binary) == maker.json["buffers"][0]["byteLength"]
+    assert (
+        struct.unpack_from("<4sII", data) == (b"glTF", 2, len(data))
+        and len(maker.binary) == maker.json["buffers"][0]["byteLength"]
+    )
     return maker
 
 
@@ -41,7 +43,10 @@ def test_a_marker_appears_at_the_time_of_the_contact(file, tmp_path):
     out = chasles.gltf.mark(file, found, tmp_path / "marked.glb")
     maker = read_back(out)
     marks = [node for node in maker.json["nodes"] if "contact" in node["name"]]
-    assert [mark["name"] for mark in marks][:2] == ["contact box on floor at 1.25 s", "contact box on floor at 1.25 s (2)"]
+    assert [mark["name"] for mark in marks][:2] == [
+        "contact box on floor at 1.25 s",
+        "contact box on floor at 1.25 s (2)",
+    ]
     assert len(marks) == len(found.contacts) == 4 and len(maker.json["animations"]) == 1
     sampler = Sampler(maker)
     numbers = [maker.json["nodes"].index(mark) for mark in marks]
@@ -83,11 +88,19 @@ def test_images_beside_the_file_stay_there(tmp_path):
     (tmp_path / "in").mkdir()
     (tmp_path / "out").mkdir()
     maker = falling()
-    maker.json["images"] = [{"uri": "a%20b.png"}, {"uri": "data:image/png;base64,AA=="}, {"bufferView": 0, "mimeType": "image/png"}]
+    maker.json["images"] = [
+        {"uri": "a%20b.png"},
+        {"uri": "data:image/png;base64,AA=="},
+        {"bufferView": 0, "mimeType": "image/png"},
+    ]
     file = maker.write(tmp_path / "in" / "scene.glb")
     found = chasles.gltf.read(file).first_contact()
     marked = read_back(chasles.gltf.mark(file, found, tmp_path / "out" / "marked.glb"))
-    assert [image.get("uri") for image in marked.json["images"]] == ["../in/a%20b.png", "data:image/png;base64,AA==", None]
+    assert [image.get("uri") for image in marked.json["images"]] == [
+        "../in/a%20b.png",
+        "data:image/png;base64,AA==",
+        None,
+    ]
 
 
 def test_no_input_is_written_over(file, tmp_path):
@@ -124,12 +137,23 @@ def run(capsys, *arguments):
 def test_the_command_line(file, tmp_path, capsys):
     status, out, _ = run(capsys, file, "--json", "--mark", tmp_path / "marked.glb")
     answer = json.loads(out)
-    assert status == 1 and answer["verdict"] == "contact" and answer["pair"] == ["box", "floor"] and (tmp_path / "marked.glb").exists()
-    assert answer["time"] <= 1.25 <= answer["time_upper"] and answer["certain"] is True and answer["clear_until"] <= 1.25
+    assert (
+        status == 1
+        and answer["verdict"] == "contact"
+        and answer["pair"] == ["box", "floor"]
+        and (tmp_path / "marked.glb").exists()
+    )
+    assert (
+        answer["time"] <= 1.25 <= answer["time_upper"] and answer["certain"] is True and answer["clear_until"] <= 1.25
+    )
     assert answer["untested"] == {"tested": 1, "pairs": 0, "reasons": []} and answer["motion"]["kind"] == "linear"
     assert answer["contacts"][0]["kind"] in ("vertex_face", "edge_edge") and len(answer["pose"]) == 7
     status, out, err = run(capsys, file)
-    assert status == 1 and out.startswith("CONTACT at 1.25 s of 2 s; animation 'take 0', linear\n  pair      box on floor\n") and "warning" in err
+    assert (
+        status == 1
+        and out.startswith("CONTACT at 1.25 s of 2 s; animation 'take 0', linear\n  pair      box on floor\n")
+        and "warning" in err
+    )
     status, out, _ = run(capsys, file, "--all", "--all-contacts", "--margin", "0.5", "--json")
     events = json.loads(out)["events"]
     assert status == 1 and len(events) == 1 and len(events[0]["contacts"]) == 4
@@ -152,7 +176,9 @@ def test_wrong_input_of_the_command_line(file, tmp_path, capsys):
         ([file, "--page", file], "is an input"),
     ]:
         status, out, err = run(capsys, *arguments)
-        assert status == 2 and why in err and err.count("\n") == 1 and err.startswith("chasles: ") and not out, arguments
+        assert status == 2 and why in err and err.count("\n") == 1 and err.startswith("chasles: ") and not out, (
+            arguments
+        )
     for arguments in (["--nothing"], [], [str(file), "--margin", "x"]):
         with pytest.raises(SystemExit) as end:
             main(arguments)
@@ -163,7 +189,9 @@ def test_wrong_input_of_the_command_line(file, tmp_path, capsys):
 
 
 def test_the_module_is_a_program_and_the_package_does_not_import_it(file):
-    done = subprocess.run([sys.executable, "-m", "chasles.gltf_command", file, "--json"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-m", "chasles.gltf_command", file, "--json"], capture_output=True, text=True, timeout=60
+    )
     assert done.returncode == 1 and json.loads(done.stdout)["pair"] == ["box", "floor"]
     code = "import chasles, sys; sys.exit(any(name.startswith('chasles.gltf') for name in sys.modules))"
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0

@@ -10,12 +10,11 @@ import shutil
 import subprocess
 from itertools import combinations
 
+import chasles
+import chasles.gltf
 import numpy as np
 import pytest
 from conftest import ROOT
-
-import chasles
-import chasles.gltf
 
 pytest.importorskip("scipy")
 from gltf_files import CUBE, Maker, Sampler, random_scene  # noqa: E402
@@ -44,7 +43,9 @@ def node(tmp_path, package, script, *arguments, text=""):
     link = tmp_path / "node_modules"
     if not link.exists():
         link.symlink_to(modules_with(package).resolve())
-    done = subprocess.run(["node", tmp_path / script, *arguments], input=text, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        ["node", tmp_path / script, *arguments], input=text, capture_output=True, text=True, timeout=120
+    )
     assert done.returncode == 0, done.stderr[-2000:]
     return done.stdout
 
@@ -75,7 +76,11 @@ def test_bodies_are_where_three_js_has_them(tmp_path):
 def test_half_turns_go_the_way_of_three_js(tmp_path):
     maker = Maker()
     mesh = maker.mesh()
-    ways = [[[0, 0, 0, 1], [0, 0, 1, 0], [0, 0, 0, 1]], [[0, 0, 0, 1], [0, 0, -1, 0], [0, 0, 0, -1]], [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, -1]]]
+    ways = [
+        [[0, 0, 0, 1], [0, 0, 1, 0], [0, 0, 0, 1]],
+        [[0, 0, 0, 1], [0, 0, -1, 0], [0, 0, 0, -1]],
+        [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, -1]],
+    ]
     for number, keys in enumerate(ways):
         maker.animate(maker.node(f"cube {number}", mesh=mesh), "rotation", [0, 1, 2], keys)
     animation = chasles.gltf.read(maker.write(tmp_path / "scene.glb"))
@@ -91,7 +96,9 @@ def test_markers_appear_in_three_js_when_bodies_touch(tmp_path):
     found, seed = None, 0
     while found is None or found.pair is None or found.time == 0 or not found.contacts:
         seed += 1
-        animation = chasles.gltf.read(random_scene(np.random.default_rng(seed), kinds=["LINEAR"], spread=2).write(tmp_path / "scene.glb"))
+        animation = chasles.gltf.read(
+            random_scene(np.random.default_rng(seed), kinds=["LINEAR"], spread=2).write(tmp_path / "scene.glb")
+        )
         found = animation.first_contact()
     out = chasles.gltf.mark(tmp_path / "scene.glb", found, tmp_path / "marked.glb")
     theirs = by_three(tmp_path, out, [found.time - 1e-3, found.time + 1e-3, animation.duration])
@@ -107,7 +114,9 @@ def test_marked_files_are_valid(tmp_path):
     modules_with("gltf-validator")
     files = []
     for seed in range(12 if IS_LONG else 4):
-        file = random_scene(np.random.default_rng(seed), bodies=4, kinds=["LINEAR", "STEP"], spread=1.5).write(tmp_path / f"{seed}.glb")
+        file = random_scene(np.random.default_rng(seed), bodies=4, kinds=["LINEAR", "STEP"], spread=1.5).write(
+            tmp_path / f"{seed}.glb"
+        )
         answers = chasles.gltf.read(file).all_contacts(find="first_with_all_contacts")
         files += [file, chasles.gltf.mark(file, answers, tmp_path / f"marked {seed}.glb")]
     (tmp_path / "validate.cjs").write_text(VALIDATE, "utf-8")
@@ -129,7 +138,11 @@ class Fcl:
             model.beginModel(len(CUBE[1]), 8)
             model.addSubModel(vertices, CUBE[1])
             model.endModel()
-            self.objects[name] = self.fcl.CollisionObject(model, self.fcl.Transform()), vertices.min(axis=0), vertices.max(axis=0)
+            self.objects[name] = (
+                self.fcl.CollisionObject(model, self.fcl.Transform()),
+                vertices.min(axis=0),
+                vertices.max(axis=0),
+            )
 
     def collisions(self):
         for a, b in combinations(self.objects, 2):
@@ -139,7 +152,12 @@ class Fcl:
                 yield frozenset((a, b))
 
     def distance(self, a, b):
-        return max(0.0, self.fcl.distance(self.objects[a][0], self.objects[b][0], self.fcl.DistanceRequest(), self.fcl.DistanceResult()))
+        return max(
+            0.0,
+            self.fcl.distance(
+                self.objects[a][0], self.objects[b][0], self.fcl.DistanceRequest(), self.fcl.DistanceResult()
+            ),
+        )
 
 
 @pytest.mark.parametrize("kinds", [["LINEAR"], ["LINEAR", "STEP"], ["LINEAR", "CUBICSPLINE"]], ids="-".join)
