@@ -44,6 +44,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
 # Modules that are imported by their names, because they need further packages.
 MODULES = {
     "distributed": ("Dask and Parquet", "chasles.distributed"),
+    "gltf": ("Animations of glTF", "chasles.gltf"),
     "mujoco": ("Models and recordings of MuJoCo", "chasles.mujoco"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
     "policy": ("A gate for policies", "chasles.policy"),

@@ -39,6 +39,8 @@ def read(
     animation: str | int | Sequence[str | int] | None = None,
     *,
     leave_out: Collection[str] = (),
+    solid: str = "automatic",
+    radius: float = 0.0,
     threads: int = 0,
 ) -> Animation:
     """Read the bodies of a file and how an animation moves them.
@@ -51,6 +53,9 @@ def read(
         A name or a number from 0. Several are played at the same time. May be left out if the file has only one.
     leave_out : names
         Nodes whose meshes are no bodies, as those that deform.
+    solid, radius
+        As for `chasles.load_parts`, for all bodies: what is inside of them, and all points within this distance. Below 0, faces of
+        closed bodies move inwards: an overlap that is allowed.
     threads : int
         At most so many, to read the meshes; 0 for all cores.
 
@@ -74,7 +79,7 @@ def read(
     carriers = tree.carriers(leave_out)
     if not carriers:
         raise document.fault("has no face; a scene needs at least one body")
-    bodies = load_bodies(document, carriers, threads)
+    bodies = load_bodies(document, carriers, solid=solid, radius=radius, threads=threads)
     kept = [carrier for carrier in carriers if carrier.name in bodies]
     return Animation(
         document.path, document.files, {index: names[index] for index in chosen}, tracks, tree, kept, bodies

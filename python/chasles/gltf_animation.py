@@ -48,7 +48,6 @@ class Animation:
         self.bodies = {carrier.name: bodies[carrier.name] for carrier in carriers}  #: in the frames of `poses`
         self.duration = tracks.duration  #: seconds, to the last key
         self.animations = list(chosen.values())  #: names
-        self.warnings = list(tracks.warnings)
         movers = sorted({carrier.mover for carrier in carriers} - {STATIC})
         self._movers, self._mover = movers, {carrier.name: carrier.mover for carrier in carriers}
         jumps = set().union(*(tree.jumps(mover) for mover in movers)) - {0.0}
@@ -57,12 +56,16 @@ class Animation:
         self._motions: dict[tuple[int, int], Motion] = {}
         for mover in movers:
             self._motion(mover, 0)  # refuses what cannot be followed
+        self.warnings = tracks.warnings  #: what is left out, and what is not exact
         corners = [self.bodies[name].vertices @ pose[:3, :3].T + pose[:3, 3] for name, pose in self.poses(0).items()]
         self._size = float(np.linalg.norm(np.ptp(np.vstack(corners), axis=0))) or 1.0
 
     def __repr__(self) -> str:
         moving = sum(carrier.mover != STATIC for carrier in self._carriers)
         return f"<chasles.gltf.Animation: {', '.join(self.animations)}, {self.duration:g} s, {len(self.bodies)} bodies, {moving} of them move>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_motions": {}}  # cubic splines have functions that pickle cannot find; all are made again
 
     @property
     def kinds(self) -> str:

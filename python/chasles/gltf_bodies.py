@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pathlib
 import tempfile
+from typing import Any
 
 from ._core import InvalidInput, Polyhedron, load_parts
 from .gltf_file import Document, Json
 from .gltf_tree import Carrier
 
 
-def load_bodies(document: Document, carriers: list[Carrier], threads: int = 0) -> dict[str, Polyhedron]:
+def load_bodies(document: Document, carriers: list[Carrier], **options: Any) -> dict[str, Polyhedron]:
     """The body of each carrier in the frame of its mover. The package's own reader reads a file in which each carrier is a root."""
     json: Json = {
         key: document.json[key] for key in ("asset", "accessors", "bufferViews", "meshes") if key in document.json
@@ -28,6 +29,6 @@ def load_bodies(document: Document, carriers: list[Carrier], threads: int = 0) -
         file = pathlib.Path(folder, "scene.glb")
         file.write_bytes(document.as_glb(json))
         try:
-            return load_parts(file, threads=threads)
+            return load_parts(file, **options)
         except InvalidInput as error:
             raise InvalidInput(str(error).replace(str(file), str(document.path))) from None

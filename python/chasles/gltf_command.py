@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import os
+import signal
 import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
@@ -28,12 +30,21 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program, and return its exit status: 0 clear, 1 contact, 2 wrong input, 3 the time was over, 130 interrupted."""
+    if arguments is None:  # as a program
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
     options = _parser().parse_args(arguments)
+    if sys.stdout is None:
+        print("chasles: cannot write the answer: standard output is closed", file=sys.stderr)
+        return WRONG_INPUT
     try:
         with Limit(options.seconds) if options.seconds is not None else contextlib.nullcontext():
             return _answer(options)
-    except (InvalidInput, OSError) as error:
+    except InvalidInput as error:
         print(f"chasles: {error}", file=sys.stderr)
+        return WRONG_INPUT
+    except OSError as error:  # of the output: nothing more can be written there
+        print(f"chasles: cannot write the answer: {error.strerror}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG_INPUT
     except Cancelled:
         print("chasles: the time was over; nothing is proven", file=sys.stderr)
@@ -71,6 +82,19 @@ def _parser() -> Parser:
     )
     add("--ignore-touching-at-start", action="store_true", help="leave out pairs that touch at the start")
     add("--leave-out", metavar="NAME", action="append", default=[], help="a node whose mesh is no body")
+    add(
+        "--solid",
+        choices=["automatic", "yes", "no"],
+        default="automatic",
+        help="whether closed meshes are solid, as of all commands",
+    )
+    add(
+        "--radius",
+        metavar="R",
+        type=float,
+        default=0.0,
+        help="the radius of all bodies; below 0: an overlap that is allowed",
+    )
     add("--mark", metavar="OUT.glb", help="write a copy of the file with a marker at each contact")
     add("--page", metavar="OUT.html", help="write a page that shows the animation and the contacts")
     add("--seconds", metavar="T", type=float, help="end after this time, with what is proven by then")
@@ -84,7 +108,8 @@ def _answer(options: argparse.Namespace) -> int:
         raise InvalidInput("--together plays all animations; leave out --animation")
     names = gltf.animations(options.file)
     chosen = list(range(len(names))) if options.together else [_number(name, names) for name in options.animation or []]
-    animation = gltf.read(options.file, chosen or None, leave_out=options.leave_out, threads=options.threads)
+    shapes: dict[str, Any] = {"solid": options.solid, "radius": options.radius, "threads": options.threads}
+    animation = gltf.read(options.file, chosen or None, leave_out=options.leave_out, **shapes)
     for out in (options.mark, options.page):
         if out is not None:
             refuse_input(out, animation.files)

@@ -49,6 +49,7 @@ class Document:
         text, self._binary = self._chunks(data) if data[:4] == b"glTF" else (data, None)
         self.json = self._parsed(text)
         self._buffers: dict[int, bytes] = {}
+        self._items: dict[str, list[Json]] = {}
         self.files = {self.path}  #: all files that were read
         version = self.json.get("asset", {}).get("version") if isinstance(self.json.get("asset"), dict) else None
         if not isinstance(version, str):
@@ -62,10 +63,9 @@ class Document:
 
     def items(self, kind: str) -> list[Json]:
         """The objects of a list of the file, as "nodes"."""
-        found = self.json.get(kind, [])
-        if not isinstance(found, list) or not all(isinstance(item, dict) for item in found):
-            raise self.fault(f"{kind}: must be a list of objects")
-        return found
+        if kind not in self._items:
+            self._items[kind] = self.objects(self.json, kind, "")
+        return self._items[kind]
 
     def item(self, kind: str, index: Any, where: str) -> Json:
         """The object with an index that `where` states."""
@@ -85,7 +85,7 @@ class Document:
         """The objects of a list within another object."""
         found = item.get(key, [])
         if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
-            raise self.fault(f"{where}: {key}: must be a list of objects")
+            raise self.fault(f"{where}: {key}: must be a list of objects".removeprefix(": "))
         return found
 
     def numbers(self, index: Any, kind: str, where: str) -> Array:

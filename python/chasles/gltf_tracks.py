@@ -42,6 +42,16 @@ class Track:
             same |= np.abs(self.values + first).max(axis=1) == 0
         return bool(same.all()) and (len(self.stamps) == 1 or self.tangents is None or not self.tangents.any())
 
+    def steady(self) -> tuple[Array, float]:
+        """The middle of all values that the track takes, and how far they are from it, as a part of it."""
+        points = [self.values]
+        if self.tangents is not None:
+            steps = np.diff(self.stamps)[:, None] / 3  # control points of the cubics, whose hull holds them
+            points += [self.values[:-1] + steps * self.tangents[:-1, 1], self.values[1:] - steps * self.tangents[1:, 0]]
+        low, high = np.vstack(points).min(axis=0), np.vstack(points).max(axis=0)
+        middle = 0.5 * (low + high)
+        return middle, float(np.max(0.5 * (high - low) / np.maximum(np.abs(middle), 1e-300)))
+
     def jumps(self) -> Array:
         """The times at which the value jumps."""
         if self.interpolation != "STEP":

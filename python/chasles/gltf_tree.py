@@ -15,7 +15,8 @@ from .gltf_tracks import Tracks, moved
 Array = npt.NDArray[np.float64]
 
 MOST_NODES = 1_000_000
-MOST_SKEW = 1e-6  # of a matrix above a node that moves: an entry of R^T R - I
+MOST_SKEW = 1e-5  # of what should be rigid: an entry of R^T R - I above a node that moves, or a change of a scale
+ROUNDING = 1e-14  # of the same in double
 STATIC = -1
 
 
@@ -141,6 +142,10 @@ class Tree:
                 f"{self.label(node)} moves below a scale that is not the same along all axes (off by {skew:.3g}), so what it carries "
                 "would change its shape; apply the scale to the meshes"
             )
+        if skew > ROUNDING:
+            self._warn(
+                f"{self.label(node)}: what is above it turns and scales evenly but for {skew:.2g}, which is left out"
+            )
         left, _, right = np.linalg.svd(turn)
         pose = np.eye(4)
         pose[:3, :3], pose[:3, 3] = left @ right, matrix[:3, 3]
@@ -167,12 +172,21 @@ class Tree:
         track = self._tracks.of_node.get((node, "scale"))
         if track is None:
             return self._at_rest(node, "scale", [1, 1, 1])
-        if not track.is_constant:
+        if track.is_constant:
+            return track.values[0]
+        middle, spread = track.steady()
+        if spread > MOST_SKEW:
             ends = f"from {track.values.min():.6g} to {track.values.max():.6g}"
             raise self._document.fault(
-                f"{self.label(node)}: its scale is animated ({ends}): bodies are rigid; remove this channel, or leave out what the node carries"
+                f"{self.label(node)}: its scale is animated ({ends}): bodies are rigid; "
+                "remove this channel, or leave out what the node carries"
             )
-        return track.values[0]
+        self._warn(f"{self.label(node)}: its scale changes by {spread:.2g} of itself, and is taken as constant")
+        return middle
+
+    def _warn(self, text: str) -> None:
+        if text not in self._tracks.warnings:
+            self._tracks.warnings.append(text)
 
     def _at_rest(self, node: int, key: str, default: list[float]) -> Array:
         if key not in self.nodes[node]:

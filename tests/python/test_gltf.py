@@ -2,6 +2,9 @@
 
 import chasles
 import chasles.gltf
+import copy
+import pickle
+
 import numpy as np
 import pytest
 from conftest import ROOT
@@ -253,6 +256,14 @@ def test_several_animations_are_chosen_or_played_together(file):
     ]:
         with pytest.raises(chasles.InvalidInput, match=why):
             chasles.gltf.read(file, wrong)
+
+
+def test_a_copy_answers_with_the_same_bits(file):
+    animation = chasles.gltf.read(random_scene(np.random.default_rng(4)).write(file))
+    found = animation.first_contact()
+    for again in (pickle.loads(pickle.dumps(animation)), copy.deepcopy(animation)):
+        assert again.first_contact().as_json() == found.as_json()
+    assert pickle.loads(pickle.dumps(found)).as_json() == found.as_json()
 
 
 def test_a_limit_of_time_leaves_what_is_proven(file):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from gltf_files import Maker, random_scene  # noqa: E402
+from gltf_files import Maker, Rotation, random_scene  # noqa: E402
 
 
 @pytest.fixture
@@ -91,6 +91,37 @@ def test_a_scale_that_stays_is_no_animation(file):
     maker = falling()
     maker.animate(1, "scale", [0, 1, 2], [[1, 2, 1]] * 3)
     assert time_of(maker.write(file)) == pytest.approx(1, abs=1e-9)
+
+
+def test_a_scale_that_hardly_changes_is_a_warning(file):
+    """Exporters sample scales in single precision."""
+    maker = falling()
+    still = [[0, 0, 0], [1, 1.0000001, 1], [1e-7, 0, 0]]
+    maker.animate(1, "scale", [0, 2], still + still, "CUBICSPLINE")
+    animation = chasles.gltf.read(maker.write(file))
+    assert animation.first_contact().time == pytest.approx(1.25, abs=1e-6)
+    assert any("is taken as constant" in text for text in animation.warnings)
+    maker = falling()
+    maker.animate(1, "scale", [0, 2], [[0, 0, 0], [1, 1, 1], [1, 0, 0]] * 2, "CUBICSPLINE")
+    with pytest.raises(chasles.InvalidInput, match="its scale is animated"):
+        chasles.gltf.read(maker.write(file))
+
+
+def test_a_matrix_in_single_precision_above_a_node_that_moves(file):
+    maker = falling()
+    turn = np.eye(4)
+    turn[:3, :3] = -2 * Rotation.from_rotvec([0.3, -0.4, 0.5]).as_matrix()  # a mirror, too
+    matrix = turn.astype(np.float32).astype(float).T.ravel()
+    maker.json["nodes"].append({"name": "hall", "matrix": matrix.tolist(), "children": [0, 1]})
+    maker.json["scenes"][0]["nodes"] = [2]
+    animation = chasles.gltf.read(maker.write(file))
+    assert animation.first_contact().time == pytest.approx(1.25, abs=1e-6)
+    assert any("scales evenly but for" in text for text in animation.warnings)
+
+
+def test_bodies_with_a_radius(file):
+    assert time_of(falling().write(file), radius=0.25) == pytest.approx(1, abs=1e-9)
+    assert time_of(file, radius=-0.05) == pytest.approx(1.3, abs=1e-9)
 
 
 def test_without_scenes_all_roots_are_read(file):
