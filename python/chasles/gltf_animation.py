@@ -50,7 +50,8 @@ class Animation:
         self.animations = list(chosen.values())  #: names
         movers = sorted({carrier.mover for carrier in carriers} - {STATIC})
         self._movers, self._mover = movers, {carrier.name: carrier.mover for carrier in carriers}
-        jumps = set().union(*(tree.jumps(mover) for mover in movers)) - {0.0}
+        self._jumps_of = {mover: tree.jumps(mover) for mover in movers}
+        jumps = set().union(*self._jumps_of.values())
         #: times at which keys of STEP move a body at once, in seconds
         self.jumps = np.array(sorted(jumps), np.float64)
         self._motions: dict[tuple[int, int], Motion] = {}
@@ -65,7 +66,9 @@ class Animation:
         return f"<chasles.gltf.Animation: {', '.join(self.animations)}, {self.duration:g} s, {len(self.bodies)} bodies, {moving} of them move>"
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_motions": {}}  # cubic splines have functions that pickle cannot find; all are made again
+        return self.__dict__ | {
+            "_motions": {}
+        }  # cubic splines have functions that pickle cannot find; all are made again
 
     @property
     def kinds(self) -> str:
@@ -214,15 +217,14 @@ class Animation:
 
     def _motion(self, mover: int, piece: int) -> Motion:
         if (mover, piece) not in self._motions:
-            has_steps = bool(self._tree.jumps(mover) - {0.0})
-            if piece and not has_steps:
+            if piece and not self._jumps_of[mover]:
                 return self._motion(mover, 0)
             since = float(self.jumps[piece - 1]) if piece else 0.0
             self._motions[mover, piece] = self._tree.motion(mover, since)
         return self._motions[mover, piece]
 
     def _ignored(self, ignore: Iterable[Pair], margin: float | None) -> dict[str, list[Pair]]:
-        named = list(dict.fromkeys((str(a), str(b)) for a, b in ignore))
+        named = {frozenset((str(a), str(b))): (str(a), str(b)) for a, b in ignore}.values()
         result: dict[str, list[Pair]] = {"ignored": [], "touching_at_start": []}
         scene = self.scene()
         for pair in named:
@@ -278,7 +280,7 @@ class Animation:
         at = float(self.jumps[piece - 1]) if piece else 0.0
         answer.pair, answer.certain = found.pair, found.certain
         answer.at_jump = at_start and any(
-            at in self._tree.jumps(mover) for mover in self._movers_of(*found.pair) - {STATIC}
+            at in self._jumps_of[mover] for mover in self._movers_of(*found.pair) - {STATIC}
         )
         answer.time = at if at_start else outward(start, found.time, rest, up=False)
         answer.time_upper = at if at_start else outward(start, found.time_upper, rest, up=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Union
 
 import numpy as np
@@ -33,7 +34,7 @@ class Track:
     interpolation: str
     tangents: Array | None = None  #: (n, 2, k), in and out, of a cubic spline
 
-    @property
+    @cached_property
     def is_constant(self) -> bool:
         """Whether nothing moves. A quaternion and its negative are one rotation."""
         first = self.values[0]

@@ -109,6 +109,25 @@ def test_scales_and_mirrors_above_make_ways_longer(file):
     assert found.time == pytest.approx(0.9, abs=1e-9) and found.certain
 
 
+def test_what_stands_between_two_nodes_that_move_is_scaled_too(file):
+    """In a hall of twice the size, a crane turns by a quarter turn, and a cube falls from its arm, which is 2 * 4 long then."""
+    maker = Maker()
+    mesh = maker.mesh()
+    crane = maker.node("crane", maker.node("hall", scale=[2, 2, 2]))
+    arm = maker.node("arm", crane, translation=[4, 3, 0], rotation=UP)
+    maker.node("plate", mesh=mesh, scale=[3, 2, 3], translation=[0, -2, -8])
+    maker.animate(crane, "rotation", [0, 1, 3], [[0, 0, 0, 1], UP, UP])
+    maker.animate(maker.node("box", arm, mesh=mesh), "translation", [0, 1, 3], [[0, 0, 0], [0, 0, 0], [0, -4, 0]])
+    found = chasles.gltf.read(maker.write(file)).first_contact()  # from 6 - 1 down to -1, at a speed of 4
+    assert found.pair == ("box", "plate") and found.time == pytest.approx(2.5, abs=1e-9)
+
+
+def test_a_quaternion_and_its_negative_do_not_move(file):
+    maker = jumper(0, 0, 0)
+    maker.animate(1, "rotation", [0, 2], [UP, [-x for x in UP]])
+    assert "0 of them move" in repr(chasles.gltf.read(maker.write(file)))
+
+
 def test_a_cubic_spline_of_places(file):
     """Hermite: x(t) = 5 (3 t^2 - 2 t^3) overshoots nothing, and the face reaches the wall where 5 (3 t^2 - 2 t^3) = 2."""
     maker = Maker()
@@ -208,7 +227,7 @@ def test_pairs_that_stand_still_are_named(file):
     assert ("wheel 0", "wheel 1") in found.untested.named["at_rest"] and "4 at rest" in str(found)
     scene = animation.scene()
     assert scene.first_contact().untested.tested == 6 and scene.least_distance().distance == pytest.approx(4, rel=1e-5)
-    ignored = animation.untested(ignore=[("wheel 0", "rock 1"), ("rock 0", "rock 1")])
+    ignored = animation.untested(ignore=[("wheel 0", "rock 1"), ("rock 1", "wheel 0"), ("rock 0", "rock 1")])
     assert ignored.reasons == {"at_rest": 4, "ignored": 1} and ignored.pairs == 5
     with pytest.raises(chasles.InvalidInput, match="nobody"):
         animation.first_contact(ignore=[("wheel 0", "nobody")])

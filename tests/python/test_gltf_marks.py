@@ -179,7 +179,7 @@ def test_wrong_input_of_the_command_line(file, tmp_path, capsys):
         assert status == 2 and why in err and err.count("\n") == 1 and err.startswith("chasles: ") and not out, (
             arguments
         )
-    for arguments in (["--nothing"], [], [str(file), "--margin", "x"]):
+    for arguments in (["--nothing"], [], [str(file), "--margin", "x"], [str(file), "--marg", "1"]):
         with pytest.raises(SystemExit) as end:
             main(arguments)
         assert end.value.code == 2 and capsys.readouterr().err.startswith("chasles: animation: ")

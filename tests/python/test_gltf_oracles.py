@@ -1,6 +1,7 @@
 """Animations of glTF beside others: the poses of three.js, collisions of FCL at dense samples, and Khronos' validator of files.
 
-three.js and the validator run in Node. They are looked for in CHASLES_NODE_MODULES, a folder `node_modules`, and in the builds of the viewer.
+three.js and the validator run in Node. They are looked for in CHASLES_NODE_MODULES, a folder `node_modules`, and in the builds of the
+viewer. CHASLES_BPY is a Python with the module bpy, for Blender.
 """
 
 import json
@@ -26,6 +27,18 @@ const { readFileSync } = require("fs");
   const { issues } = await validateBytes(new Uint8Array(readFileSync(file)));
   console.log(JSON.stringify([issues.numErrors, issues.numWarnings, issues.messages]));
 } })();"""
+
+IN_BLENDER = """import bpy, json, sys
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.import_scene.gltf(filepath=sys.argv[1])
+scene, seen = bpy.context.scene, []
+(marker,) = (thing for thing in scene.objects if thing.name.startswith("contact"))
+for time in map(float, sys.argv[2:]):
+    frame = time * scene.render.fps / scene.render.fps_base
+    scene.frame_set(int(frame), subframe=frame - int(frame))
+    matrix = marker.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world
+    seen.append([list(matrix.translation), list(matrix.to_scale())])
+print(json.dumps(seen))"""
 
 
 def modules_with(package):
@@ -58,7 +71,7 @@ def by_three(tmp_path, file, times):
 def test_bodies_are_where_three_js_has_them(tmp_path):
     """Single precision: three.js keeps places and turns so, and coordinates are below 40."""
     random, worst, count = np.random.default_rng(9), 0.0, 0
-    for _ in range(60 if IS_LONG else 5):
+    for _ in range(60 if IS_LONG else 4):
         maker = random_scene(random)
         animation = chasles.gltf.read(maker.write(tmp_path / "scene.glb"))
         times = random.uniform(0, animation.duration, 50)
@@ -93,14 +106,7 @@ def test_half_turns_go_the_way_of_three_js(tmp_path):
 
 
 def test_markers_appear_in_three_js_when_bodies_touch(tmp_path):
-    found, seed = None, 0
-    while found is None or found.pair is None or found.time == 0 or not found.contacts:
-        seed += 1
-        animation = chasles.gltf.read(
-            random_scene(np.random.default_rng(seed), kinds=["LINEAR"], spread=2).write(tmp_path / "scene.glb")
-        )
-        found = animation.first_contact()
-    out = chasles.gltf.mark(tmp_path / "scene.glb", found, tmp_path / "marked.glb")
+    animation, found, out = first_answer(tmp_path)
     theirs = by_three(tmp_path, out, [found.time - 1e-3, found.time + 1e-3, animation.duration])
     (number,) = (number for number, name in theirs["names"].items() if name.startswith("contact"))
     before, after, end = (np.array(matrices[number]).reshape(4, 4).T for matrices in theirs["matrices"])
@@ -108,6 +114,34 @@ def test_markers_appear_in_three_js_when_bodies_touch(tmp_path):
     np.testing.assert_allclose(after[:3, 3], found.contacts[0].point, atol=1e-12)
     np.testing.assert_allclose(after[:3, 2], found.contacts[0].normal, atol=1e-12)
     assert theirs["animations"] == [["take 0", pytest.approx(animation.duration)]]
+
+
+def first_answer(tmp_path):
+    """An animation with a contact on its way."""
+    found, seed = None, 0
+    while found is None or found.pair is None or found.time == 0 or not found.contacts:
+        seed += 1
+        maker = random_scene(np.random.default_rng(seed), kinds=["LINEAR"], spread=2)
+        animation = chasles.gltf.read(maker.write(tmp_path / "scene.glb"))
+        found = animation.first_contact()
+    return animation, found, chasles.gltf.mark(tmp_path / "scene.glb", found, tmp_path / "marked.glb")
+
+
+def test_markers_appear_in_blender_when_bodies_touch(tmp_path):
+    """CHASLES_BPY is a Python that has Blender as the module bpy. Blender turns y up into z up, and shows whole frames."""
+    if "CHASLES_BPY" not in os.environ:
+        pytest.skip("no Blender (CHASLES_BPY)")
+    _, found, out = first_answer(tmp_path)
+    (tmp_path / "in_blender.py").write_text(IN_BLENDER, "utf-8")
+    done = subprocess.run(
+        [os.environ["CHASLES_BPY"], tmp_path / "in_blender.py", out, *map(str, (found.time - 0.05, found.time + 0.05))],
+        capture_output=True, text=True, timeout=200,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-2000:]
+    before, after = json.loads(done.stdout.splitlines()[-1])
+    x, y, z = found.contacts[0].point
+    assert before[1] == [0, 0, 0] and np.allclose(after[1], 1, atol=1e-5)
+    np.testing.assert_allclose(after[0], [x, -z, y], atol=1e-5)
 
 
 def test_marked_files_are_valid(tmp_path):
