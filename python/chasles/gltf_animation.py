@@ -21,9 +21,7 @@ from .gltf_tree import STATIC, Carrier, Tree
 Array = npt.NDArray[np.float64]
 Pair = tuple[str, str]
 
-OVERLAP = (
-    2.0**-50
-)  # intervals between jumps are longer by this part of the duration, which is more than their roundings
+OVERLAP = 2.0**-50  # part of the duration by which intervals between jumps are longer: more than their roundings
 
 
 class Animation:
@@ -66,9 +64,8 @@ class Animation:
         return f"<chasles.gltf.Animation: {', '.join(self.animations)}, {self.duration:g} s, {len(self.bodies)} bodies, {moving} of them move>"
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {
-            "_motions": {}
-        }  # cubic splines have functions that pickle cannot find; all are made again
+        # Cubic splines have functions that pickle cannot find, so all motions are made again.
+        return self.__dict__ | {"_motions": {}}
 
     @property
     def kinds(self) -> str:
@@ -91,8 +88,13 @@ class Animation:
         return {carrier.name: at.get(carrier.mover, np.eye(4)) for carrier in self._carriers}
 
     def scene(self, piece: int = 0) -> Scene:
-        """The scene of one interval between two jumps, for questions of all kinds. Its time from 0 to 1 is that from the begin of the
-        interval to the end of the animation; without jumps it is the whole animation."""
+        """The scene of one interval between two jumps, for questions of all kinds; without jumps it is the whole animation.
+
+        Its time from 0 to 1 is that from the begin of the interval to the end of the animation. After the end of the interval it
+        is not the animation: what jumps then stays here.
+        """
+        if not 0 <= piece <= len(self.jumps):
+            raise InvalidInput(f"piece: must be from 0 to {len(self.jumps)}, the number of jumps, but is {piece}")
         scene = Scene()
         part = self._span(piece)[0] / self.duration
         for carrier in self._carriers:

@@ -185,9 +185,11 @@ def outward(start: float, part: float, length: float, *, up: bool) -> float:
     if part == 0.0:
         return start
     time = start + part * length
+    if start > 0:  # the begin of an interval after a jump is rounded as a part of the duration
+        time += 2.0**-51 * (start + length) * (1 if up else -1)
     for _ in range(2):  # two roundings of half a unit
         time = math.nextafter(time, math.inf if up else 0.0)
-    return time
+    return max(time, 0.0)
 
 
 def _text_of(contact: TimedContact) -> str:

@@ -169,7 +169,7 @@ class Document:
         if len(text) > MOST_JSON:
             raise self.fault(f"its JSON has {len(text)} bytes; at most {MOST_JSON} are read")
         try:
-            found = json.loads(text.decode("utf-8-sig"), parse_constant=_refuse_constant)
+            found = json.loads(text.decode("utf-8-sig"), parse_constant=_refuse_constant, parse_int=_number)
         except (ValueError, RecursionError) as error:
             raise self.fault(f"is no well-formed JSON: {str(error)[:120]}") from None
         if not isinstance(found, dict):
@@ -306,6 +306,10 @@ def _padded(data: bytes, with_byte: bytes) -> bytes:
 def _chunk(kind: int, data: bytes, with_byte: bytes) -> bytes:
     data = _padded(data, with_byte)
     return struct.pack("<II", len(data), kind) + data
+
+
+def _number(text: str) -> float:
+    return int(text) if len(text) < 20 else float(text)
 
 
 def _refuse_constant(name: str) -> None:

@@ -15,6 +15,7 @@ from .gltf_tracks import Tracks, moved
 Array = npt.NDArray[np.float64]
 
 MOST_NODES = 1_000_000
+MOST_DEEP = 1_000  # nodes above a node
 MOST_SKEW = 1e-5  # of what should be rigid: an entry of R^T R - I above a node that moves, or a change of a scale
 ROUNDING = 1e-14  # of the same in double
 STATIC = -1
@@ -140,7 +141,7 @@ class Tree:
         if skew > MOST_SKEW:
             raise self._document.fault(
                 f"{self.label(node)} moves below a scale that is not the same along all axes (off by {skew:.3g}), so what it carries "
-                "would change its shape; apply the scale to the meshes"
+                "would change its shape as it turns; apply the scale to the meshes"
             )
         if skew > ROUNDING:
             self._warn(
@@ -215,17 +216,19 @@ class Tree:
             raise self._document.fault("scene: a node is listed twice")
         if len(self.nodes) > MOST_NODES:
             raise self._document.fault(f"has more than {MOST_NODES} nodes")
-        rest = roots[::-1]
+        rest = [(root, 0) for root in roots[::-1]]
         while rest:
-            node = rest.pop()
+            node, depth = rest.pop()
             order.append(node)
+            if depth > MOST_DEEP:
+                raise self._document.fault(f"{self.label(node)} has more than {MOST_DEEP} nodes above it")
             children = _indices(self._document, self.nodes[node], "children", f"node {node}")
             for child in children:
                 if child in seen:
                     raise self._document.fault(f"{self.label(child)} is below two nodes, or contains itself")
                 seen.add(child)
                 self.parent[child] = node
-            rest += children[::-1]
+            rest += [(child, depth + 1) for child in children[::-1]]
         return order
 
     def _has_faces(self, index: int) -> bool:

@@ -181,6 +181,10 @@ def test_a_jump_over_a_wall_touches_nothing(file):
     assert animation.jumps.tolist() == [1] and animation.kinds == "step"
     found = animation.first_contact()
     assert found.verdict == "clear" and found.clear_until == 2 and found.untested.tested == 1
+    assert animation.scene(1).first_contact().verdict == "clear"
+    for wrong in (lambda: animation.scene(2), lambda: animation.poses(2.5)):
+        with pytest.raises(chasles.InvalidInput, match="must be from 0 to"):
+            wrong()
     assert [animation.poses(t)["box"][0, 3] for t in (0, 0.999, 1, 2)] == [0, 0, 6, 6]
 
 

@@ -212,6 +212,19 @@ def test_is_refused_by_name(file, why):
     assert why in text and text.startswith(str(file)) and "\n" not in text
 
 
+def test_large_numbers_and_deep_trees(file):
+    maker = falling()
+    maker.json["nodes"][0]["translation"] = [10**400, 0, 0]
+    with pytest.raises(chasles.InvalidInput, match="translation: must be 3 numbers below"):
+        chasles.gltf.read(maker.write(file))
+    maker = falling()
+    below = 1
+    for _ in range(1001):
+        below = maker.node(None, below)
+    with pytest.raises(chasles.InvalidInput, match="more than 1000 nodes above it"):
+        chasles.gltf.read(maker.write(file))
+
+
 def test_what_deforms_can_be_left_out(file):
     maker = falling()
     skinned(maker)
