@@ -191,32 +191,34 @@ class Tracks:
             )
 
 
-def moved(shift: Value, turn: Value, since: float, duration: float, scale: float = 1.0) -> Motion:
+def moved(shift: Value, turn: Value, since: float, duration: float, linear: Array) -> Motion:
     """The motion of one node over the whole duration: a turn about its origin, which shifts. Steps are as from `since` on.
 
-    `scale` is that of all nodes above, which makes the shifts larger.
+    `linear` (3, 3) is that of all nodes above, by which the shifts are multiplied.
     """
     shift, turn = _at_step(shift, since), _at_step(turn, since)
     tracks = [track for track in (shift, turn) if isinstance(track, Track)]
     if not tracks:
-        return Motion.at_rest(_poses(shift, turn, scale)[0])
+        return Motion.at_rest(_poses(shift, turn, linear)[0])
     if all(track.interpolation == "CUBICSPLINE" for track in tracks):
-        return cubic_motion(_curve(shift, duration, scale), _curve(turn, duration))  # type: ignore[return-value]
+        return cubic_motion(_curve(shift, duration, linear), _curve(turn, duration, np.eye(4)))  # type: ignore[return-value]
     if all(track.interpolation == "LINEAR" and np.array_equal(track.stamps, tracks[0].stamps) for track in tracks):
-        return _linear(tracks[0].stamps, _poses(shift, turn, scale), duration)
+        return _linear(tracks[0].stamps, _poses(shift, turn, linear), duration)
     # Keys at different times: a product needs no pose between keys, so nothing is rounded.
-    return moved(shift, NO_TURN, since, duration, scale) * moved(np.zeros(3), turn, since, duration)
+    return moved(shift, NO_TURN, since, duration, linear) * moved(np.zeros(3), turn, since, duration, linear)
 
 
 def _at_step(track: Value, since: float) -> Value:
     return track.step_at(since) if isinstance(track, Track) and track.interpolation == "STEP" else track
 
 
-def _poses(shift: Value, turn: Value, scale: float) -> Array:
+def _poses(shift: Value, turn: Value, linear: Array) -> Array:
     """Poses (n, 7): x y z qw qx qy qz."""
     shifts, turns = (track.values if isinstance(track, Track) else track[None] for track in (shift, turn))
     count = max(len(shifts), len(turns))
-    return np.hstack([np.broadcast_to(scale * shifts, (count, 3)), np.broadcast_to(turns[:, [3, 0, 1, 2]], (count, 4))])
+    return np.hstack(
+        [np.broadcast_to(shifts @ linear.T, (count, 3)), np.broadcast_to(turns[:, [3, 0, 1, 2]], (count, 4))]
+    )
 
 
 def _linear(stamps: Array, poses: Array, duration: float) -> Motion:
@@ -228,8 +230,8 @@ def _linear(stamps: Array, poses: Array, duration: float) -> Motion:
     return TimedPoses.through(stamps.tolist(), poses)  # type: ignore[return-value]
 
 
-def _curve(track: Value, duration: float, scale: float = 1.0) -> CubicCurve:
+def _curve(track: Value, duration: float, linear: Array) -> CubicCurve:
     if not isinstance(track, Track):
-        return CubicCurve.constant(scale * track)
+        return CubicCurve.constant(linear @ track)
     assert track.tangents is not None
-    return CubicCurve.hermite(track.stamps, scale * track.values, scale * track.tangents, duration)
+    return CubicCurve.hermite(track.stamps, track.values @ linear.T, track.tangents @ linear.T, duration)

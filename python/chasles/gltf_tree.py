@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from ._core import InvalidInput, Motion
 from .gltf_file import LARGEST, Document, Json
-from .gltf_tracks import Tracks, moved
+from .gltf_tracks import NO_TURN, Track, Tracks, Value, moved
 
 Array = npt.NDArray[np.float64]
 
@@ -29,6 +29,17 @@ class Carrier:
     name: str
     mover: int  #: the nearest node above it (or itself) that moves, or STATIC
     to_mover: Array  #: (4, 4), from the mesh to the rigid frame of the mover; to the scene if STATIC
+
+
+@dataclass
+class Step:
+    """A node that moves, on the way from the root to another one: a pose that stays, and then a motion."""
+
+    node: int
+    before: Array  #: (4, 4)
+    shift: Value
+    turn: Value
+    linear: Array  #: (3, 3), by which the shift is multiplied
 
 
 class Tree:
@@ -65,7 +76,13 @@ class Tree:
     def motion(self, mover: int, since: float) -> Motion:
         """The rigid motion of the frame of a node, over the whole duration. Steps are as from the time `since` on."""
         result: Motion | None = None
-        for factor in self._factors(mover, since):
+        for step in self._steps(mover)[0]:
+            try:
+                factor = moved(step.shift, step.turn, since, self._tracks.duration, step.linear)
+            except InvalidInput as error:
+                raise self._document.fault(f"{self.label(step.node)}: {error}") from None
+            if not np.array_equal(step.before, np.eye(4)):
+                factor = Motion.at_rest(step.before) * factor
             result = factor if result is None else result * factor
         assert result is not None
         return result
@@ -77,34 +94,26 @@ class Tree:
         )
         return {float(time) for track in tracks if track is not None for time in track.jumps()}
 
-    def _factors(self, mover: int, since: float) -> list[Motion]:
-        """Of the product from the root to the mover. What is above scales the translations."""
-        factors: list[Motion] = []
-        scale, still = 1.0, np.eye(4)
-
-        def add_still() -> None:
-            nonlocal scale, still
-            if not np.array_equal(still, np.eye(4)):
-                ratio, pose = self._conformal(still, mover)
-                pose[:3, 3] *= scale
-                factors.append(Motion.at_rest(pose))
-                scale *= ratio
-                still = np.eye(4)
-
+    def _steps(self, mover: int) -> tuple[list[Step], Array]:
+        """The nodes that move from the root to the mover, and what is left (3, 3) for the shape of a body: scales and turns that stay."""
+        steps, still = [], np.eye(4)
         for node in self.chain(mover):
             if not self._tracks.moving(node):
                 still = still @ self._local(node)
                 continue
-            add_still()
             shift = self._tracks.value(node, "translation", self._at_rest(node, "translation", [0, 0, 0]))
             turn = self._tracks.value(node, "rotation", self._at_rest(node, "rotation", [0, 0, 0, 1]))
-            try:
-                factors.append(moved(shift, turn, since, self._tracks.duration, scale))
-            except InvalidInput as error:
-                raise self._document.fault(f"{self.label(node)}: {error}") from None
-            if node != mover:
-                still = np.diag([*self._scale(node), 1.0])
-        return factors
+            before, linear = np.eye(4), still[:3, :3]
+            if isinstance(turn, Track):
+                ratio, before = self._conformal(still, node)
+                linear = left = ratio * np.eye(3)  # an even scale commutes with turns
+            else:  # what does not turn carries any shape along
+                before[:3, 3] = still[:3, 3]
+                turn, left = NO_TURN, linear @ _pose_of(np.zeros(3), turn)[:3, :3]
+            steps.append(Step(node, before, shift, turn, linear))
+            still = np.eye(4)
+            still[:3, :3] = left * self._scale(node)
+        return steps, still
 
     def _carrier(self, index: int, name: str) -> Carrier:
         below = np.eye(4)
@@ -113,20 +122,7 @@ class Tree:
             below = self._local(chain.pop()) @ below
         if not chain:
             return Carrier(index, name, STATIC, below)
-        mover = chain[-1]
-        below = np.diag([*self._scale(mover), 1.0]) @ below
-        return Carrier(index, name, mover, np.diag([*[self._scale_above(mover)] * 3, 1.0]) @ below)
-
-    def _scale_above(self, mover: int) -> float:
-        """The scale of all that is above a node that moves, which has to be even."""
-        scale, still = 1.0, np.eye(4)
-        for node in self.chain(mover):
-            if not self._tracks.moving(node):
-                still = still @ self._local(node)
-                continue
-            scale *= self._conformal(still, node)[0]
-            still = np.diag([*self._scale(node), 1.0])
-        return scale
+        return Carrier(index, name, chain[-1], self._steps(chain[-1])[1] @ below)
 
     def _conformal(self, matrix: Array, node: int) -> tuple[float, Array]:
         """A matrix as a scale, negative for a mirror, times a pose."""
@@ -140,8 +136,8 @@ class Tree:
         skew = float(np.abs(turn.T @ turn - np.eye(3)).max())
         if skew > MOST_SKEW:
             raise self._document.fault(
-                f"{self.label(node)} moves below a scale that is not the same along all axes (off by {skew:.3g}), so what it carries "
-                "would change its shape as it turns; apply the scale to the meshes"
+                f"{self.label(node)} turns below a scale that is not the same along all axes (off by {skew:.3g}), so what it carries "
+                "would change its shape; apply the scale to the meshes"
             )
         if skew > ROUNDING:
             self._warn(

@@ -128,6 +128,28 @@ def test_a_quaternion_and_its_negative_do_not_move(file):
     assert "0 of them move" in repr(chasles.gltf.read(maker.write(file)))
 
 
+@pytest.mark.parametrize("kind", ["LINEAR", "CUBICSPLINE"])
+def test_an_uneven_scale_above_what_does_not_turn(file, kind):
+    """A shaft is turned and squeezed, and a lift in it goes up by 2 * 0.5 a second, with a body that is sheared."""
+    maker = Maker()
+    mesh = maker.mesh()
+    maker.node("ceiling", mesh=mesh, scale=[30, 1, 30], translation=[0, 3.5, 0])
+    shaft = maker.node(
+        "shaft", maker.node("house", scale=[1, 0.5, 3]), rotation=[0, 0, np.sin(np.pi / 8), np.cos(np.pi / 8)]
+    )
+    lift = maker.node("lift", shaft, mesh=mesh, rotation=UP)
+    keys = (
+        [[0, 0, 0], [0, 8, 0]]
+        if kind == "LINEAR"
+        else [[0, 0, 0], [0, 0, 0], [0, 2, 0], [0, 2, 0], [0, 8, 0], [0, 0, 0]]
+    )
+    maker.animate(lift, "translation", [0, 4], keys, kind)
+    # The highest corner of a turned square of side 1 is at sqrt(1/2), times 0.5; the lift climbs by 2 * 0.5 * cos(45 degrees).
+    root = np.sqrt(0.5)
+    found = chasles.gltf.read(maker.write(file)).first_contact()
+    assert found.pair == ("lift", "ceiling") and found.time == pytest.approx((3 - root / 2) / root, abs=1e-6)
+
+
 def test_a_cubic_spline_of_places(file):
     """Hermite: x(t) = 5 (3 t^2 - 2 t^3) overshoots nothing, and the face reaches the wall where 5 (3 t^2 - 2 t^3) = 2."""
     maker = Maker()

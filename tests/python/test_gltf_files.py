@@ -169,7 +169,7 @@ REFUSED = {
     "node 1 ('box'): its scale is animated (from 1 to 2)": lambda maker: maker.animate(
         1, "scale", [0, 1], [[1, 1, 1], [1, 2, 1]]
     ),
-    "node 1 ('box') moves below a scale that is not the same": under_a_squeeze,
+    "node 1 ('box') turns below a scale that is not the same": under_a_squeeze,
     "node 1 has a matrix": with_matrix,
     "animates '/nodes/1/rotation'": pointed,
     "the translation of node 1 is animated twice": lambda maker: maker.animate(
