@@ -79,6 +79,11 @@ class Animation:
         texts = {"LINEAR": "linear", "STEP": "step", "CUBICSPLINE": "cubic spline"}
         return " and ".join(text for kind, text in texts.items() if kind in found) or "at rest"
 
+    def frames(self, angle: float) -> Array:
+        """Times in seconds between which no node turns by much more than this angle against the one above it."""
+        turns = [track for (_, path), track in self._tracks.of_node.items() if path == "rotation"]
+        return np.unique(np.concatenate([[0.0, self.duration], *(track.frames(angle) for track in turns)]))
+
     def poses(self, time: float) -> dict[str, Array]:
         """The pose (4, 4) of each body in the coordinates of the scene at a time in seconds. At a jump, that after it."""
         if not 0 <= time <= self.duration:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from .gltf_animation import Animation
 
 FRAMES = 240
+MOST_POSES = 400_000  # of all bodies, for fast turns
+MOST_TURN = 0.5  # radians from frame to frame
 
 
 def write_page(animation: Animation, answers: list[AnimationContact], out: pathlib.Path, title: str) -> pathlib.Path:
@@ -24,7 +26,8 @@ def write_page(animation: Animation, answers: list[AnimationContact], out: pathl
     times = [np.linspace(0, duration, FRAMES + 1), animation.jumps, np.nextafter(animation.jumps, 0)]
     contacts = [answer for answer in answers if answer.pair is not None]
     times.append(np.clip([answer.time for answer in contacts], 0, duration))
-    stamps = np.unique(np.concatenate(times))
+    turns = animation.frames(MOST_TURN)
+    stamps = np.unique(np.concatenate([*times, turns[:: 1 + len(turns) * len(animation.bodies) // MOST_POSES]]))
     poses = np.array([[seven_numbers(pose) for pose in animation.poses(float(time)).values()] for time in stamps])
     with beside(out, animation.files) as file:
         recording_page(file, animation.bodies, stamps, poses, [_event(answer) for answer in contacts], title=title)

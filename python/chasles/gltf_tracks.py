@@ -59,6 +59,16 @@ class Track:
             return np.zeros(0)
         return self.stamps[1:][(np.diff(self.values, axis=0) != 0).any(axis=1)]
 
+    def frames(self, angle: float) -> Array:
+        """Of a rotation: times between which it turns by about this angle or less."""
+        units = self.values / np.linalg.norm(self.values, axis=1)[:, None]
+        turns = 2 * np.arccos(np.clip(np.abs((units[1:] * units[:-1]).sum(axis=1)), 0, 1))
+        counts = np.ceil(turns / angle).astype(np.int64)
+        parts = [np.arange(count) / count for count in counts]
+        return np.concatenate(
+            [self.stamps[:1], *(a + p * (b - a) for a, b, p in zip(self.stamps, self.stamps[1:], parts))]
+        )
+
     def step_at(self, time: float) -> Array:
         """The value of a track of steps, from the time on."""
         return self.values[max(int(np.searchsorted(self.stamps, time, side="right")) - 1, 0)]

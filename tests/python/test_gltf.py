@@ -311,6 +311,15 @@ def test_a_copy_answers_with_the_same_bits(file):
     assert pickle.loads(pickle.dumps(found)).as_json() == found.as_json()
 
 
+def test_frames_of_pages_show_fast_turns(file):
+    maker = jumper(0, 0, 0)
+    spin = [[0, np.sin(a), 0, np.cos(a)] for a in 1.4 * np.arange(3)]
+    maker.animate(1, "rotation", [0, 0.01, 1], spin)
+    times = chasles.gltf.read(maker.write(file)).frames(0.5)
+    assert times[0] == 0 and times[-1] == 2 and np.isclose(times, 0.01).any()
+    assert np.diff(times[times <= 0.0101]).max() < 0.0018 and len(times) == 2 * 6 + 1
+
+
 def test_a_limit_of_time_leaves_what_is_proven(file):
     animation = chasles.gltf.read(random_scene(np.random.default_rng(0)).write(file))
     with chasles.Limit(1e-9):
