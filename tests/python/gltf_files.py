@@ -150,7 +150,7 @@ def random_quaternions(random, count, spread=0.5):
 
 
 def random_scene(random, bodies=6, kinds=("LINEAR", "STEP", "CUBICSPLINE"), spread=4.0, depth=3):
-    """Cubes that hang on each other and move, each by a kind of interpolation of its own for places and for turns."""
+    """Cubes that hang on each other and move, each by a kind of interpolation of its own for places and turns; and a lift in a sheared shaft."""
     maker = Maker()
     mesh = maker.mesh()
     nodes = []
@@ -170,9 +170,13 @@ def random_scene(random, bodies=6, kinds=("LINEAR", "STEP", "CUBICSPLINE"), spre
         for path, size in (("translation", 3), ("rotation", 4)):
             if random.random() < 0.75:
                 add_random_track(random, maker, node, path, size, str(random.choice(kinds)), spread)
-    add_random_track(random, maker, nodes[0], "translation", 3, kinds[0], spread) if not maker.json.get(
-        "animations"
-    ) else None
+    # What does not turn may have any scale above it.
+    uneven = {"scale": random.uniform(0.5, 1.5, 3).tolist(), "rotation": random_quaternions(random, 1)[0].tolist()}
+    shaft = maker.node("shaft", maker.node("house", **uneven), **uneven)
+    lift = maker.node(
+        "lift", shaft, mesh=mesh, scale=[0.9, 1.2, 0.7], rotation=random_quaternions(random, 1)[0].tolist()
+    )
+    add_random_track(random, maker, lift, "translation", 3, kinds[0], spread)
     return maker
 
 
