@@ -26,6 +26,7 @@ Array = npt.NDArray[np.float64]
 Json = dict[str, Any]
 
 MOST_JSON = 1 << 28  # bytes
+MOST_BYTES = 1 << 31  # of all buffers together: a GLB has 32 bits for them
 MOST_SPARSE = 1 << 20  # elements of an accessor without bytes of its own, as for meshes
 LARGEST = 1e30  # number of a transform
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
@@ -113,7 +114,7 @@ class Document:
         The offset of `more` is `len(self.binary)`.
         """
         result = dict(self.json if changed is None else changed)
-        binary = self.binary + more
+        binary = self.binary + more  # refuses too many bytes
         starts = self._starts()
         self.items("bufferViews")
         result["bufferViews"] = [self._moved(view, i, starts) for i, view in enumerate(result.get("bufferViews", []))]
@@ -128,6 +129,9 @@ class Document:
     @property
     def binary(self) -> bytes:
         """All buffers one behind the other, each at a multiple of four."""
+        sizes = [self.count(item, "byteLength", f"buffer {i}") for i, item in enumerate(self.items("buffers"))]
+        if sum(sizes) > MOST_BYTES:
+            raise self.fault(f"its buffers have {sum(sizes)} bytes; at most {MOST_BYTES} are read")
         return b"".join(_padded(self._buffer(i), b"\0") for i in range(len(self.items("buffers"))))
 
     def _starts(self) -> dict[int, int]:

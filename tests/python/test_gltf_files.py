@@ -212,7 +212,13 @@ def test_is_refused_by_name(file, why):
     assert why in text and text.startswith(str(file)) and "\n" not in text
 
 
-def test_large_numbers_and_deep_trees(file):
+def test_large_numbers_and_deep_trees(file, tmp_path):
+    maker = falling()
+    (tmp_path / "half.bin").write_bytes(maker.binary)
+    buffers = [{"byteLength": len(maker.binary), "uri": "half.bin"}, {"byteLength": 2**31, "uri": "half.bin"}]
+    (tmp_path / "large.gltf").write_text(json.dumps(maker.json | {"buffers": buffers}), "utf-8")
+    with pytest.raises(chasles.InvalidInput, match="at most 2147483648 are read"):
+        chasles.gltf.read(tmp_path / "large.gltf")
     maker = falling()
     maker.json["nodes"][0]["translation"] = [10**400, 0, 0]
     with pytest.raises(chasles.InvalidInput, match="translation: must be 3 numbers below"):
