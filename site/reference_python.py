@@ -47,6 +47,7 @@ MODULES = {
     "drake": ("Plants and trajectories of Drake", "chasles.drake"),
     "pinocchio": ("Models of Pinocchio", "chasles.pinocchio"),
     "ros": ("Trajectories of ROS", "chasles.ros"),
+    "gltf": ("Animations of glTF", "chasles.gltf"),
     "mujoco": ("Models and recordings of MuJoCo", "chasles.mujoco"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
     "policy": ("A gate for policies", "chasles.policy"),

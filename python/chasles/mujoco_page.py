@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import JointPath, Polyhedron, Robot
+from .poses import seven_numbers
 from .record import recording_page
 
 Array = npt.NDArray[np.float64]
@@ -33,7 +34,7 @@ def write_page(
     numbers = _numbers_of_poses(robot, configurations, table, times)
     path = JointPath.straight(robot, configurations)
     poses = np.array(
-        [[_seven(found[name]) for name in shapes] for found in (robot.link_poses(path.at(at)) for at in numbers)]
+        [[seven_numbers(found[name]) for name in shapes] for found in (robot.link_poses(path.at(at)) for at in numbers)]
     )
     stamps = np.interp(numbers, np.arange(len(times)), times)
     return recording_page(out, shapes, stamps, poses, [_event(row, stamps) for row in table], title=title)
@@ -57,17 +58,6 @@ def _thin(slab: Polyhedron, size: Array) -> Polyhedron:
     vertices[:, :2] = np.sign(vertices[:, :2]) * half
     vertices[:, 2] = np.where(vertices[:, 2] < top, top - 0.01 * half.min(), top)
     return Polyhedron(vertices, slab.faces)
-
-
-def _seven(matrix: Array) -> Array:
-    """x y z qw qx qy qz. The quaternion is the eigenvector of the matrix that every rotation has for it."""
-    r = matrix[:3, :3]
-    off = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
-    k = np.empty((4, 4))
-    k[0, 0] = np.trace(r)
-    k[0, 1:] = k[1:, 0] = off
-    k[1:, 1:] = r + r.T - np.trace(r) * np.eye(3)
-    return np.concatenate([matrix[:3, 3], np.linalg.eigh(k)[1][:, -1]])
 
 
 def _event(row: np.void, stamps: Array) -> dict[str, Any]:
