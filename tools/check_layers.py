@@ -32,7 +32,7 @@ MAY_INCLUDE = {
         "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query", "scene",
     ],
     "scenes": [],
-    "view": ["base"],
+    "view": ["base", "motion"],
     "cli": ["base", "io", "robot", "scenes", "view"],
     "python": ["base", "motion", "scene", "io", "view"],
     "javascript": ["base", "motion", "io", "view"],
