@@ -42,9 +42,8 @@ void require_no_comment(std::string_view text, std::size_t place) {
     if (!is_comment(text.substr(place)))
         return;
     const auto line = std::ranges::count(text.substr(0, place), '\n') + 1;
-    io::fail_at_line(std::size_t(line),
-                     io::in_quotes(text.substr(place, text.find_first_of("\r\n", place) - place)) +
-                         " is a comment, and JSON has none");
+    io::fail_at_line(std::size_t(line), io::in_quotes(text.substr(place, text.find_first_of("\r\n", place) - place)) +
+                                            " is a comment, and JSON has none");
 }
 
 } // namespace

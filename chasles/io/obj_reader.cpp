@@ -122,7 +122,8 @@ private:
         const auto index = parse_integer(word.substr(0, slash));
         const bool has_odd_tail = word.substr(slash).find_first_not_of("/-0123456789") != std::string_view::npos;
         if (!index || has_odd_tail)
-            fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_) + decimal_comma_hint(word));
+            fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_) +
+                 decimal_comma_hint(word));
         if (*index == 0)
             fail("vertex index 0 in " + in_quotes(statement_) + "; OBJ counts from 1");
         // Positive indices are checked at the end, negative indices now.

@@ -62,8 +62,8 @@ double coordinate_of(const XmlElement& vertex, std::string_view axis) {
     const std::string_view text = required_attribute_of(vertex, axis);
     const auto number = parse_finite(Words(text).next());
     if (!number)
-        fail_at(vertex, std::string(axis) + ": " + in_quotes(text) + " is not a finite number" +
-                            decimal_comma_hint(text));
+        fail_at(vertex,
+                std::string(axis) + ": " + in_quotes(text) + " is not a finite number" + decimal_comma_hint(text));
     return *number;
 }
 

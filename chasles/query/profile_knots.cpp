@@ -125,14 +125,11 @@ bool ProfileKnots::stay_apart(const ProfileKnot& start, const ProfileKnot& end) 
     if (is_before_contact(end.near.tau))
         return true;
     try {
-        const search::PieceResult found = search_piece(*piece_, {.margin = radii_,
-                                                                 .check_start = false,
-                                                                 .from = start.near.tau,
-                                                                 .until = end.near.tau});
+        const search::PieceResult found = search_piece(
+            *piece_, {.margin = radii_, .check_start = false, .from = start.near.tau, .until = end.near.tau});
         work_ += found.work;
-        return std::ranges::none_of(found.candidates, [&](const search::Candidate& candidate) {
-            return candidate.tau.lower <= end.near.tau;
-        });
+        return std::ranges::none_of(
+            found.candidates, [&](const search::Candidate& candidate) { return candidate.tau.lower <= end.near.tau; });
     } catch (const search::Stopped&) {
         return false;
     }

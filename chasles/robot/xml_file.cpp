@@ -195,9 +195,9 @@ std::vector<double> XmlFile::numbers(const Element& element, const char* attribu
         const std::optional<double> value = io::parse_finite(word);
         if (!value) {
             const std::string hint = count == 1 ? io::decimal_comma_hint(word) : "";
-            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
-                              (hint.empty() && word.find(',') != std::string_view::npos ? "; blanks separate numbers"
-                                                                                        : hint));
+            fail(element,
+                 std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
+                     (hint.empty() && word.find(',') != std::string_view::npos ? "; blanks separate numbers" : hint));
         }
         values.push_back(*value);
     }

@@ -239,8 +239,8 @@ TEST(Rest, IsTheMotionFromThereOn) {
         (void)rest_of(relative(straight, Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 1})), 0.5);
         ADD_FAILURE() << "is refused";
     } catch (const InvalidInput& error) {
-        EXPECT_TRUE(std::string(error.what()).ends_with(
-            "; of two motions take relative(rest_of(moving, start), rest_of(fixed, start))"))
+        EXPECT_TRUE(std::string(error.what())
+                        .ends_with("; of two motions take relative(rest_of(moving, start), rest_of(fixed, start))"))
             << error.what();
     }
 }

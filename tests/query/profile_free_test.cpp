@@ -55,8 +55,8 @@ TEST(ProfileFree, BodiesThatTouchAreNot) {
 TEST(ProfileFree, ASmallGapIsFreeBetweenTouches) {
     constexpr double gap = 1e-7;
     const Pose near = shifted(0.3, 0.2, 1 + gap), deep = shifted(0.3, 0.2, 0.5);
-    const DistanceProfile twice = of_cubes(
-        TimedPoses::through({0, 0.25, 0.375, 0.5, 0.75, 0.8125, 0.875, 1}, {near, near, deep, near, near, deep, near, near}));
+    const DistanceProfile twice = of_cubes(TimedPoses::through({0, 0.25, 0.375, 0.5, 0.75, 0.8125, 0.875, 1},
+                                                               {near, near, deep, near, near, deep, near, near}));
     // Beside a touch at most 1/128 of a piece may be missing.
     expect_free(twice, {{0, 0.25 + 1e-7}, {0.5 - 1e-7, 0.75 + 1e-7}, {0.875 - 1e-7, 1}}, 0.125 / 128 + 2e-7);
     EXPECT_LT(twice.times.size(), 3000U);
