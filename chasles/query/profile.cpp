@@ -227,13 +227,14 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
     const auto is_in_doubt = [&](const DistanceBounds& b) {
         return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
     };
-    if (start.touch != Touch::apart || end.touch != Touch::apart) {
+    const int touches = int(start.touch != Touch::apart) + int(end.touch != Touch::apart);
+    if (touches > 0 || std::max(start.near.distance, end.near.distance) - radii_ <= options_.absolute_tolerance) {
         const DistanceBounds bounds = touching_bounds(start, end);
         const bool is_narrow = bounds.upper.greatest() <= options_.absolute_tolerance;
         const bool is_short = is_last || end.near.tau - start.near.tau <= shortest_touching_part;
-        if (start.touch != Touch::apart && end.touch != Touch::apart)
+        if (touches == 2)
             return is_narrow || is_short ? std::optional(bounds) : std::nullopt;
-        if (!is_short) // the rest of the part may be free
+        if (touches == 1 && !is_short) // the rest of the part may be free
             return std::nullopt;
         if (is_narrow && !is_in_doubt(bounds))
             return bounds;

@@ -21,6 +21,7 @@ void ProfileKnots::begin(search::PieceContext& piece) {
     if (bounds_)
         work_ += bounds_->work();
     piece_ = &piece;
+    clear_taus_ = {2, 2};
     bounds_.emplace(piece);
 }
 
@@ -120,19 +121,27 @@ bool ProfileKnots::overlap_all_along(const ProfileKnot& start, const ProfileKnot
     return lasts(start) || lasts(end);
 }
 
-/// Touch is exact. No tolerance of distances decides.
+/// Touch is exact. No tolerance of distances decides. One search serves all parts before the contact that it finds.
 bool ProfileKnots::stay_apart(const ProfileKnot& start, const ProfileKnot& end) {
     if (is_before_contact(end.near.tau))
         return true;
+    if (start.near.tau < clear_taus_.lower || start.near.tau > clear_taus_.upper)
+        clear_taus_ = {start.near.tau, contact_after(start.near.tau)};
+    return end.near.tau < clear_taus_.upper;
+}
+
+/// The tau of the first contact after one where nothing touches; 2 if there is none.
+double ProfileKnots::contact_after(double tau) {
+    double first = 2;
     try {
-        const search::PieceResult found = search_piece(
-            *piece_, {.margin = radii_, .check_start = false, .from = start.near.tau, .until = end.near.tau});
+        const search::PieceResult found = search_piece(*piece_, {.margin = radii_, .check_start = false, .from = tau});
         work_ += found.work;
-        return std::ranges::none_of(
-            found.candidates, [&](const search::Candidate& candidate) { return candidate.tau.lower <= end.near.tau; });
-    } catch (const search::Stopped&) {
-        return false;
+        for (const search::Candidate& candidate : found.candidates)
+            first = std::min(first, candidate.tau.lower);
+    } catch (const search::Stopped& stopped) {
+        first = stopped.clear_until;
     }
+    return first;
 }
 
 } // namespace chasles::query

@@ -53,6 +53,7 @@ public:
 
 private:
     [[nodiscard]] bool is_before_contact(double tau) const;
+    double contact_after(double tau);
     ProfileKnot at(double tau, std::span<const ProfileKnot* const> known);
     /// The bodies are tested at rest there.
     ProfileKnot in_contact(double tau, const std::function<search::NearKnot()>& nearest);
@@ -63,6 +64,7 @@ private:
     double radii_; ///< surfaces that are no farther apart touch
     search::ChordBounds::Error error_;
     double clear_until_ = 1; ///< time: nothing touches before it
+    Bracket clear_taus_;     ///< of the piece: nothing touches from the one until before the other
     search::PieceContext* piece_ = nullptr;
     std::optional<search::ChordBounds> bounds_; ///< of the piece
     std::optional<ProfileKnot> last_;           ///< of the piece before
