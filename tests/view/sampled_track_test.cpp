@@ -138,6 +138,7 @@ TEST(SampledTrack, AShortStrokeReachesItsEnd) {
                 continue;
             const Motion motion = stroke(time, share);
             const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
+            ASSERT_FALSE(track.times.empty()) << time << " " << share;
             EXPECT_NEAR(height(track, time), -40, 2e-3) << time << " " << share;
             for (const double beside : {time - share / 2, time + share / 2})
                 EXPECT_NEAR(height(track, beside), 60, 2e-3) << time << " " << share;
