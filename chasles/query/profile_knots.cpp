@@ -1,6 +1,7 @@
 #include "chasles/query/profile_knots.h"
 
 #include "chasles/query/profile_steps.h"
+#include "chasles/query/report.h"
 #include "chasles/search/piece_search.h"
 
 #include <algorithm>
@@ -132,16 +133,13 @@ bool ProfileKnots::stay_apart(const ProfileKnot& start, const ProfileKnot& end) 
 
 /// The tau of the first contact after one where nothing touches; 2 if there is none.
 double ProfileKnots::contact_after(double tau) {
-    double first = 2;
     try {
         const search::PieceResult found = search_piece(*piece_, {.margin = radii_, .check_start = false, .from = tau});
         work_ += found.work;
-        for (const search::Candidate& candidate : found.candidates)
-            first = std::min(first, candidate.tau.lower);
+        return has_contact(found) ? enclosing(found).lower : 2;
     } catch (const search::Stopped& stopped) {
-        first = stopped.clear_until;
+        return stopped.clear_until;
     }
-    return first;
 }
 
 } // namespace chasles::query

@@ -21,7 +21,7 @@ std::optional<double> crossing_of(const LinearBound& line, double value) {
 }
 
 LinearBound part_of(const LinearBound& line, double from, double to) {
-    return {line.at(from), line.at(to)};
+    return {line.at(from), to == 1 ? line.end : line.at(to)}; // not rounded to 0
 }
 
 LinearBound at_least(double least, const LinearBound& line) {
