@@ -51,7 +51,7 @@ double finite_in(const Json& json) {
     const std::string text = json.is_string() ? json.get<std::string>() : shown(json);
     if (const auto number = io::parse_finite(text); number && json.is_string())
         return *number;
-    throw InvalidInput("not a finite number: " + io::in_quotes(text));
+    throw InvalidInput("not a finite number: " + io::in_quotes(text) + io::decimal_comma_hint(text));
 }
 
 const Json& entries_of(const Json& json) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 
 namespace chasles::cli {
 namespace {
@@ -161,6 +162,8 @@ std::string profile_headline(const DistanceProfile& found, std::string_view moti
     const double least = *std::ranges::min_element(found.lower), most = *std::ranges::max_element(found.upper);
     if (std::isinf(least))
         return naming_motion("DISTANCE WITHOUT A LIMIT: no two bodies are tested", motion);
+    if (least == std::numeric_limits<double>::min())
+        return naming_motion(fmt::format("DISTANCE from above 0 to {:.9g}: never 0, never above", most), motion);
     return naming_motion(least > 0
                              ? fmt::format("DISTANCE from {:.9g} to {:.9g}: never below, never above", least, most)
                              : fmt::format("DISTANCE from 0 to {:.9g}: the bodies touch, or may touch", most),

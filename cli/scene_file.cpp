@@ -266,9 +266,8 @@ bool truth_in(const Json& json) {
 }
 
 void require_object(std::string_view text) {
-    const std::string_view content = io::without_byte_order_mark(text);
-    const std::size_t begin = content.find_first_not_of(" \t\r\n");
-    if (begin != std::string_view::npos && content[begin] != '{' && content[begin] != '[')
+    const std::string_view content = without_comments(io::without_byte_order_mark(text));
+    if (!content.empty() && content.front() != '{' && content.front() != '[')
         refuse("is no scene file: that is a JSON object with \"bodies\"; scenes of MoveIt and worlds of Gazebo are not "
                "read");
 }

@@ -34,13 +34,40 @@ private:
     std::vector<std::set<std::string>> open_; ///< keys of the objects that have begun and not ended
 };
 
+bool is_comment(std::string_view text) {
+    return text.starts_with("//") || text.starts_with("/*") || text.starts_with('#');
+}
+
+void require_no_comment(std::string_view text, std::size_t place) {
+    if (!is_comment(text.substr(place)))
+        return;
+    const auto line = std::ranges::count(text.substr(0, place), '\n') + 1;
+    io::fail_at_line(std::size_t(line), io::in_quotes(text.substr(place, text.find_first_of("\r\n", place) - place)) +
+                                            " is a comment, and JSON has none");
+}
+
 } // namespace
+
+std::string_view without_comments(std::string_view text) {
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        if (!is_comment(text))
+            return text;
+        const std::string_view end = text.starts_with("/*") ? "*/" : "\n";
+        const std::size_t size = text.find(end);
+        text.remove_prefix(size == std::string_view::npos ? text.size() : size + end.size());
+    }
+}
 
 nlohmann::json parse_json(std::string_view text) {
     DifferentKeys watch;
+    const std::string_view content = io::without_byte_order_mark(text);
     try {
-        return Json::parse(io::without_byte_order_mark(text), std::ref(watch));
+        return Json::parse(content, std::ref(watch));
     } catch (const Json::exception& error) {
+        const auto* const parse_error = dynamic_cast<const Json::parse_error*>(&error);
+        if (parse_error && parse_error->byte > 0)
+            require_no_comment(content, parse_error->byte - 1);
         const std::string why = error.what(); // "[json.exception.parse_error.101] parse error at ..."
         throw InvalidInput("is not JSON: " + why.substr(why.find(']') + 2));
     }

@@ -1,6 +1,8 @@
 // Parts of pictures as SVG.
 #pragma once
 
+#include "chasles/io/text_scan.h"
+
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
@@ -21,10 +23,10 @@ inline std::string svg_line(double x1, double y1, double x2, double y2, std::str
                        x1, y1, x2, y2, style);
 }
 
-/// A name as text of a picture.
+/// A name as text of a picture. XML takes no control characters and no invalid UTF-8.
 inline std::string without_marks(std::string_view name) {
     std::string text;
-    for (const char c : name)
+    for (const char c : io::one_line(io::valid_utf8(name)))
         text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
     return text;
 }

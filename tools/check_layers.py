@@ -34,7 +34,7 @@ MAY_INCLUDE = {
     ],
     "tools": [],
     "scenes": [],
-    "view": ["base"],
+    "view": ["base", "motion"],
     "cli": ["base", "io", "robot", "scenes", "tools", "view"],
     "python": ["base", "motion", "scene", "io", "tools", "view"],
     "javascript": ["base", "motion", "io", "view"],

@@ -94,7 +94,7 @@ void add_links(SceneRecord& record, const chasles::Robot& robot, const RobotPath
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const ShapeOfLink& shape : shapes)
         boxes.push_back(box_around(shape.shape));
-    std::vector<SampledTrack> tracks = sampled_tracks({poses_at, boxes, true}, record.times, progress);
+    std::vector<SampledTrack> tracks = sampled_tracks({poses_at, boxes, {}, true}, record.times, progress);
     for (std::size_t i = 0; i < shapes.size(); ++i)
         record.bodies.push_back(
             {shapes[i].name, shapes[i].shape, std::move(tracks[i].poses), std::move(tracks[i].times)});
@@ -109,7 +109,10 @@ void add_world(SceneRecord& record, const chasles::Scene& world, const Bracket& 
             const double time = (stamp - path.lower) / (path.upper - path.lower);
             return std::vector{body.motion.pose_at(std::clamp(time, 0.0, 1.0))};
         };
-        SampledTrack track = sampled_tracks({poses_at, {box_around(body.shape)}}, ends).front();
+        std::vector<double> cuts = cuts_of(body.motion);
+        for (double& cut : cuts)
+            cut = std::lerp(path.lower, path.upper, cut);
+        SampledTrack track = sampled_tracks({poses_at, {box_around(body.shape)}, std::move(cuts)}, ends).front();
         record.bodies.push_back({body.name, body.shape, std::move(track.poses), std::move(track.times)});
     }
 }

@@ -1,5 +1,7 @@
-// An interval of time is halved until probes inside of it agree with the interpolation.
+// An interval of time is divided until probes inside of it agree with the interpolation: at cuts, then in halves.
 #include "view/sampled_track.h"
+
+#include "chasles/motion/any_trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,11 +73,12 @@ public:
 
     /// Adds poses after `from`, up to and including `to`. Only bodies that deviate get poses between them.
     void add(const PosesAtTime& from, const PosesAtTime& to, int halvings, const Indices& bodies) {
-        const double half = std::midpoint(from.time, to.time);
+        const std::span<const double> cuts = cuts_between(from.time, to.time);
+        const double division = cuts.empty() ? std::midpoint(from.time, to.time) : cuts[cuts.size() / 2];
         Indices deviating;
         PosesAtTime middle;
-        if (halvings > 0 && from.time < half && half < to.time) {
-            middle = at(half);
+        if (halvings > 0 && from.time < division && division < to.time) {
+            middle = at(division);
             deviating = deviating_between(from, middle, to, bodies);
         }
         for (const std::size_t body : bodies)
@@ -83,14 +86,20 @@ public:
                 samples_[body].push_back({to.time, to.poses[body]});
         if (deviating.empty())
             return;
-        add(from, middle, halvings - 1, deviating);
-        add(middle, to, halvings - 1, deviating);
+        const int left = cuts.empty() ? halvings - 1 : halvings;
+        add(from, middle, left, deviating);
+        add(middle, to, left, deviating);
     }
 
     /// All samples of each body.
     [[nodiscard]] const std::vector<std::vector<TimedPose>>& samples() const { return samples_; }
 
 private:
+    [[nodiscard]] std::span<const double> cuts_between(double from, double to) const {
+        const auto first = std::ranges::upper_bound(bodies_.cuts, from);
+        return {first, std::max(first, std::ranges::lower_bound(bodies_.cuts, to))};
+    }
+
     /// In ascending order.
     [[nodiscard]] Indices deviating_between(const PosesAtTime& from, const PosesAtTime& middle, const PosesAtTime& to,
                                             Indices bodies) const {
@@ -100,7 +109,8 @@ private:
             deviating.insert(deviating.end(), taken.begin(), taken.end());
             bodies.erase(taken.begin(), bodies.end());
         };
-        const auto probe = [&](double part, const PosesAtTime& there) {
+        const auto probe = [&](const PosesAtTime& there) {
+            const double part = (there.time - from.time) / (to.time - from.time);
             take([&](std::size_t body) {
                 const Eigen::Isometry3d shown = interpolated(from.poses[body], to.poses[body], part);
                 const Corners off = there.poses[body].isometry() * corners_[body] - shown * corners_[body];
@@ -108,10 +118,21 @@ private:
             });
         };
         take([&](std::size_t body) { return turn_between(from.poses[body], to.poses[body]) > largest_turn_of_step; });
-        probe(0.5, middle);
-        for (const double part : other_parts_)
+        probe(middle);
+        const auto probe_at = [&](double time) {
             if (!bodies.empty())
-                probe(part, at(std::lerp(from.time, to.time, part)));
+                probe(at(time));
+        };
+        for (const double part : other_parts_)
+            probe_at(std::lerp(from.time, to.time, part));
+        double before = from.time; // a short stroke between two cuts lies between all other probes
+        for (const double cut : cuts_between(from.time, to.time)) {
+            probe_at(std::midpoint(before, cut));
+            probe_at(cut);
+            before = cut;
+        }
+        if (before > from.time)
+            probe_at(std::midpoint(before, to.time));
         std::ranges::sort(deviating);
         return deviating;
     }
@@ -174,7 +195,21 @@ SampledTrack sampled_track(const Motion& motion, const Eigen::AlignedBox3d& box,
     std::set<double> stops(exact_times.begin(), exact_times.end());
     stops.insert({0, 1});
     const auto poses_at = [&](double time) { return std::vector{motion.pose_at(time)}; };
-    return sampled_tracks({poses_at, {box}}, {stops.begin(), stops.end()}).front();
+    return sampled_tracks({poses_at, {box}, cuts_of(motion)}, {stops.begin(), stops.end()}).front();
+}
+
+std::vector<double> cuts_of(const Motion& motion) {
+    std::vector<double> cuts;
+    if (const chasles::motion::SharedFrame frame = motion.trajectory().frame()) {
+        frame->add_cuts(cuts);
+    } else {
+        const auto pieces = motion.trajectory().pieces();
+        for (std::size_t i = 0; i < pieces->size(); ++i)
+            cuts.push_back(pieces->at(i)->time_of({0, 0}).upper);
+    }
+    std::erase_if(cuts, [](double cut) { return !(0 < cut && cut < 1); });
+    std::ranges::sort(cuts);
+    return cuts;
 }
 
 } // namespace chasles::view

@@ -27,13 +27,6 @@ void drop_empty_cells_at_end(std::vector<std::string>& cells, std::size_t column
         cells.pop_back();
 }
 
-// "1,5" for 1.5. A comma at the end separates.
-bool has_decimal_comma(std::string_view cell) {
-    std::string with_points(cell);
-    std::ranges::replace(with_points, ',', '.');
-    return with_points != cell && !cell.ends_with(',') && parse_finite(with_points).has_value();
-}
-
 // Whether a first line has no names, but numbers with decimal commas.
 bool has_only_decimal_commas(std::string_view line) {
     return std::ranges::any_of(std::array{Separator::semicolon, Separator::blanks}, [&](Separator separator) {
@@ -316,10 +309,6 @@ void require_cells(const TableRow& row, std::size_t columns) {
     if (row.cells.size() != columns)
         throw InvalidInput(std::to_string(row.cells.size()) + (row.cells.size() == 1 ? " column" : " columns") +
                            " found, " + std::to_string(columns) + " expected");
-}
-
-std::string decimal_comma_hint(std::string_view cell) {
-    return has_decimal_comma(cell) ? "; write a decimal point" : "";
 }
 
 double cell_number(const std::string& cell, const std::string& name) {

@@ -100,9 +100,6 @@ void require_different(std::span<const std::string> names);
 /// Throws InvalidInput if the row may be a comment, or has another number of cells.
 void require_cells(const TableRow& row, std::size_t columns);
 
-/// The way out for a cell such as "1,5", after a semicolon; empty for other cells.
-std::string decimal_comma_hint(std::string_view cell);
-
 /// The finite number in a cell. Throws InvalidInput "NAME: WHY".
 double cell_number(const std::string& cell, const std::string& name);
 

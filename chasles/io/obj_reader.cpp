@@ -94,13 +94,13 @@ private:
         for (double& coordinate : vertex) {
             const auto number = parse_finite(words.next());
             if (!number)
-                fail("a vertex needs three finite numbers: " + in_quotes(statement_));
+                fail("a vertex needs three finite numbers: " + in_quotes(statement_) + decimal_comma_hint(statement_));
             coordinate = *number;
         }
         // A weight or a colour may follow. Any other text indicates that the line does not hold coordinates.
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (!parse_number(word))
-                fail("not a number: " + in_quotes(word) + " in " + in_quotes(statement_));
+                fail("not a number: " + in_quotes(word) + " in " + in_quotes(statement_) + decimal_comma_hint(word));
         soup_.vertices.push_back(vertex);
     }
 
@@ -122,7 +122,8 @@ private:
         const auto index = parse_integer(word.substr(0, slash));
         const bool has_odd_tail = word.substr(slash).find_first_not_of("/-0123456789") != std::string_view::npos;
         if (!index || has_odd_tail)
-            fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_));
+            fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_) +
+                 decimal_comma_hint(word));
         if (*index == 0)
             fail("vertex index 0 in " + in_quotes(statement_) + "; OBJ counts from 1");
         // Positive indices are checked at the end, negative indices now.

@@ -122,7 +122,7 @@ private:
             fail("a face has fewer vertices than it announces: " + in_quotes(content_));
         const auto index = parse_integer(word);
         if (!index)
-            fail("not a vertex index: " + in_quotes(word) + " in " + in_quotes(content_));
+            fail("not a vertex index: " + in_quotes(word) + " in " + in_quotes(content_) + decimal_comma_hint(word));
         if (*index < 0 || *index >= static_cast<std::int64_t>(vertex_count_))
             fail("vertex index " + std::to_string(*index) + " is out of range; there are " +
                  std::to_string(vertex_count_) + " vertices, counted from 0");
@@ -133,7 +133,7 @@ private:
     void check_attributes(Words words) const {
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (!parse_number(word))
-                fail("not a number: " + in_quotes(word) + " in " + in_quotes(content_));
+                fail("not a number: " + in_quotes(word) + " in " + in_quotes(content_) + decimal_comma_hint(word));
     }
 
     [[noreturn]] void fail(const std::string& why) const {

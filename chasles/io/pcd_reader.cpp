@@ -171,7 +171,7 @@ double coordinate_in(const std::string& cell, std::string_view axis, std::size_t
     const auto number = parse_number(cell);
     const bool is_too_large = number && std::isinf(*number) && cell.find_first_of("0123456789") != std::string::npos;
     if (!number || is_too_large)
-        fail_at_line(line, "has no number " + std::string(axis) + ": " + in_quotes(cell));
+        fail_at_line(line, "has no number " + std::string(axis) + ": " + in_quotes(cell) + decimal_comma_hint(cell));
     return *number;
 }
 

@@ -48,7 +48,7 @@ public:
         if (word.empty())
             fail("has fewer numbers than the header announces: " + in_quotes(lines_.line()));
         if (!number)
-            fail("not a number: " + in_quotes(word) + " in " + in_quotes(lines_.line()));
+            fail("not a number: " + in_quotes(word) + " in " + in_quotes(lines_.line()) + decimal_comma_hint(word));
         return *number;
     }
 

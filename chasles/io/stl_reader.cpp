@@ -155,7 +155,8 @@ private:
             require_word("vertex");
             const auto number = parse_finite(word_);
             if (!number)
-                fail("a vertex needs three finite numbers: " + in_quotes(lines_.line()));
+                fail("a vertex needs three finite numbers: " + in_quotes(lines_.line()) +
+                     decimal_comma_hint(lines_.line()));
             coordinate = *number;
         }
         return triangles_.add_vertex(vertex);

@@ -110,6 +110,20 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
     return is_whole ? std::optional(number) : std::nullopt;
 }
 
+bool has_decimal_comma(std::string_view word) {
+    std::string with_points(word);
+    std::ranges::replace(with_points, ',', '.');
+    return with_points != word && !word.ends_with(',') && parse_finite(with_points).has_value();
+}
+
+std::string decimal_comma_hint(std::string_view text) {
+    Words words(text);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+        if (has_decimal_comma(word))
+            return "; write a decimal point";
+    return "";
+}
+
 std::string one_line(std::string_view text) {
     std::string line;
     while (!text.empty()) {

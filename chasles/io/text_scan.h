@@ -19,6 +19,12 @@ std::optional<double> parse_finite(std::string_view word);
 /// The integer in a word. Empty if the whole word is not an integer or does not fit 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
+/// "1,5" for 1.5. A comma at the end separates.
+bool has_decimal_comma(std::string_view word);
+
+/// The way out of an error for a text with such a word, after a semicolon; empty for other texts.
+std::string decimal_comma_hint(std::string_view text);
+
 /// Text for a message: in quotes, printable, in one line, at most 60 characters.
 std::string in_quotes(std::string_view text);
 

@@ -59,9 +59,11 @@ Eigen::Affine3d threemf_transform(const XmlElement& element) {
 }
 
 double coordinate_of(const XmlElement& vertex, std::string_view axis) {
-    const auto number = parse_finite(Words(required_attribute_of(vertex, axis)).next());
+    const std::string_view text = required_attribute_of(vertex, axis);
+    const auto number = parse_finite(Words(text).next());
     if (!number)
-        fail_at(vertex, std::string(axis) + ": " + in_quotes(attribute_of(vertex, axis)) + " is not a finite number");
+        fail_at(vertex,
+                std::string(axis) + ": " + in_quotes(text) + " is not a finite number" + decimal_comma_hint(text));
     return *number;
 }
 

@@ -136,7 +136,7 @@ std::vector<double> numbers_in(const XmlElement& element, std::string_view text)
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         const auto number = parse_finite(word);
         if (!number)
-            fail_at(element, in_quotes(word) + " is not a finite number");
+            fail_at(element, in_quotes(word) + " is not a finite number" + decimal_comma_hint(word));
         numbers.push_back(*number);
     }
     return numbers;

@@ -54,11 +54,12 @@ void require_usable(const Eigen::Vector3d& vector, const char* name) {
 }
 
 /// The frame of a factor, in the world.
-SharedFrame frame_of(const Motion& motion, const char* what) {
+SharedFrame frame_of(const Motion& motion, const char* what, const char* way_out = "") {
     SharedFrame frame = motion.trajectory().frame();
     require(frame != nullptr, std::string(what) +
                                   ": takes no screw and no sweep (constant twist and constant velocity are the even "
-                                  "ones), and no motion whose fixed body moves");
+                                  "ones), and no motion whose fixed body moves" +
+                                  way_out);
     return frame;
 }
 
@@ -157,7 +158,9 @@ Motion rest_of(const Motion& motion, double start) {
     require(start >= 0 && start < 1, "rest: the time must be in [0, 1)");
     if (const motion::MotionEnds* ends = motion.trajectory().straight_ends())
         return Motion::velocity(motion.pose_at(start), ends->goal);
-    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(motion, "rest"), start, 1)));
+    const SharedFrame whole =
+        frame_of(motion, "rest", "; of two motions take relative(rest_of(moving, start), rest_of(fixed, start))");
+    return motion_of(SmoothMotion::of_one(motion::part_frame(whole, start, 1)));
 }
 
 } // namespace chasles

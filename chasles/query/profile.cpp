@@ -47,7 +47,7 @@ private:
 
     [[nodiscard]] double default_tolerance() const;
     bool search();
-    bool search(const PieceContext& piece);
+    bool search(PieceContext piece);
     /// `others` is the greatest upper bound of other distances in the part.
     bool add_far_part(const Bracket& part, double others);
     bool add_part(const Knot& start, const Knot& end, double others);
@@ -55,6 +55,7 @@ private:
     [[nodiscard]] std::optional<DistanceBounds> beyond(double others, const Knot& start, const Knot& end);
     /// The bounds of a part, less both radii; empty if it is to be halved.
     std::optional<DistanceBounds> bounds_of(const Knot& start, const Knot& end, bool is_last);
+    bool is_free(const Knot& start, const Knot& end, const DistanceBounds& bounds);
     DistanceBounds touching_bounds(const Knot& start, const Knot& end);
     [[nodiscard]] DistanceBounds of_bodies(const DistanceBounds& of_surfaces) const;
     [[nodiscard]] double width_at(double distance) const;
@@ -103,7 +104,7 @@ DistanceProfile ProfileSearch::run() {
         steps_.add_rest(is_far ? balls_.lower : 0, balls_.upper);
         certain_ = is_far;
     }
-    DistanceProfile profile = std::move(steps_).result();
+    DistanceProfile profile = std::move(steps_).result(is_far ? 0 : knots_.clear_until());
     profile.certain = certain_;
     profile.work = knots_.work();
     return profile;
@@ -153,7 +154,7 @@ double ProfileSearch::greatest_of_others(const Bracket& tau) const {
 }
 
 /// From part to part in order of time. A part whose bounds are too far from each other is halved. False at a limit.
-bool ProfileSearch::search(const PieceContext& piece) {
+bool ProfileSearch::search(PieceContext piece) {
     piece_ = &piece.piece();
     steps_.begin(piece.piece());
     knots_.begin(piece);
@@ -211,8 +212,14 @@ bool ProfileSearch::add_part(const Knot& start, const Knot& end, double others) 
     if (bounds && start.touch != Touch::apart && end.touch != Touch::apart)
         steps_.add_one(part, 0, std::max(0.0, bounds->upper.greatest()));
     else if (bounds)
-        steps_.add(part, *bounds);
+        steps_.add(part, *bounds, is_free(start, end, *bounds));
     return bounds.has_value();
+}
+
+/// Distances below the tolerance are not told from 0, but touch is.
+bool ProfileSearch::is_free(const Knot& start, const Knot& end, const DistanceBounds& bounds) {
+    return bounds.lower.least() > 0 ||
+           (start.touch == Touch::apart && end.touch == Touch::apart && knots_.stay_apart(start, end));
 }
 
 std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const Knot& end, bool is_last) {
@@ -220,12 +227,15 @@ std::optional<DistanceBounds> ProfileSearch::bounds_of(const Knot& start, const 
     const auto is_in_doubt = [&](const DistanceBounds& b) {
         return query::share_in_doubt(b, options_.margins) * time > options_.time_tolerance;
     };
-    if (start.touch != Touch::apart || end.touch != Touch::apart) {
+    const int touches = int(start.touch != Touch::apart) + int(end.touch != Touch::apart);
+    if (touches > 0 || std::max(start.near.distance, end.near.distance) - radii_ <= options_.absolute_tolerance) {
         const DistanceBounds bounds = touching_bounds(start, end);
         const bool is_narrow = bounds.upper.greatest() <= options_.absolute_tolerance;
         const bool is_short = is_last || end.near.tau - start.near.tau <= shortest_touching_part;
-        if (start.touch != Touch::apart && end.touch != Touch::apart)
+        if (touches == 2)
             return is_narrow || is_short ? std::optional(bounds) : std::nullopt;
+        if (touches == 1 && !is_short) // the rest of the part may be free
+            return std::nullopt;
         if (is_narrow && !is_in_doubt(bounds))
             return bounds;
     }

@@ -28,7 +28,8 @@ struct Zones {
 struct [[nodiscard]] DistanceProfile {
     std::vector<double> times; ///< ascending, from 0 to 1
     /// From times[i] to times[i + 1] the distance is never below lower[i] and never above upper[i], mesh unit; the last
-    /// entries are those at time 1. Times are rounded, by 1e-14 or as FirstContact::time.
+    /// entries are those at time 1. Times are rounded, by 1e-14 or as FirstContact::time. Where no more is known than
+    /// that nothing touches, `lower` is the least normal number, 2.2e-308.
     std::vector<double> lower;
     std::vector<double> upper;
     /// Whether the bounds are as near to each other as asked, but where the bodies touch: there `lower` is 0, and

@@ -1,6 +1,8 @@
 #include "chasles/query/profile_knots.h"
 
 #include "chasles/query/profile_steps.h"
+#include "chasles/query/report.h"
+#include "chasles/search/piece_search.h"
 
 #include <algorithm>
 
@@ -16,10 +18,11 @@ void ProfileKnots::find_contact() {
     clear_until_ = touch.clear_until;
 }
 
-void ProfileKnots::begin(const search::PieceContext& piece) {
+void ProfileKnots::begin(search::PieceContext& piece) {
     if (bounds_)
         work_ += bounds_->work();
     piece_ = &piece;
+    clear_taus_ = {2, 2};
     bounds_.emplace(piece);
 }
 
@@ -50,23 +53,27 @@ ProfileKnot ProfileKnots::beside(double tau, std::initializer_list<MayBeKnown> m
     return at(tau, known);
 }
 
+bool ProfileKnots::is_before_contact(double tau) const {
+    return clear_until_ == 1 || time_of(piece_->piece(), tau) < clear_until_;
+}
+
 /// Before the first contact nothing touches, nor while the surfaces stay apart from a knot on where nothing does.
 ProfileKnot ProfileKnots::at(double tau, std::span<const ProfileKnot* const> known) {
     std::vector<contact::FeaturePair> guesses;
     for (const ProfileKnot* knot : known)
         if (knot->near.features)
             guesses.push_back(*knot->near.features);
-    const bool is_before_contact = clear_until_ == 1 || time_of(piece_->piece(), tau) < clear_until_;
+    const bool is_clear = is_before_contact(tau);
     const auto is_apart = [](const ProfileKnot* knot) { return knot->touch == Touch::apart; };
     const auto nearest = [&] { return bounds_->nearest_at(tau, guesses, error_); };
-    if (!is_before_contact && std::ranges::none_of(known, is_apart))
+    if (!is_clear && std::ranges::none_of(known, is_apart))
         return in_contact(tau, nearest);
     const NearKnot near = nearest();
     const auto stays_apart = [&](const ProfileKnot* knot) {
         return is_apart(knot) && (knot->near.tau < tau ? bounds_->are_beyond(knot->near, near, radii_)
                                                        : bounds_->are_beyond(near, knot->near, radii_));
     };
-    if (is_before_contact || std::ranges::any_of(known, stays_apart))
+    if (is_clear || std::ranges::any_of(known, stays_apart))
         return {near, Touch::apart};
     return in_contact(tau, [&] { return near; });
 }
@@ -113,6 +120,26 @@ bool ProfileKnots::overlap_all_along(const ProfileKnot& start, const ProfileKnot
         return knot.overlap && bounds_->crosses_between(start.near, end.near, *knot.overlap);
     };
     return lasts(start) || lasts(end);
+}
+
+/// Touch is exact. No tolerance of distances decides. One search serves all parts before the contact that it finds.
+bool ProfileKnots::stay_apart(const ProfileKnot& start, const ProfileKnot& end) {
+    if (is_before_contact(end.near.tau))
+        return true;
+    if (start.near.tau < clear_taus_.lower || start.near.tau > clear_taus_.upper)
+        clear_taus_ = {start.near.tau, contact_after(start.near.tau)};
+    return end.near.tau < clear_taus_.upper;
+}
+
+/// The tau of the first contact after one where nothing touches; 2 if there is none.
+double ProfileKnots::contact_after(double tau) {
+    try {
+        const search::PieceResult found = search_piece(*piece_, {.margin = radii_, .check_start = false, .from = tau});
+        work_ += found.work;
+        return has_contact(found) ? enclosing(found).lower : 2;
+    } catch (const search::Stopped& stopped) {
+        return stopped.clear_until;
+    }
 }
 
 } // namespace chasles::query

@@ -32,7 +32,7 @@ public:
     /// Searches the first contact.
     void find_contact();
     /// Knots are of this piece, which is kept by reference.
-    void begin(const search::PieceContext& piece);
+    void begin(search::PieceContext& piece);
     [[nodiscard]] search::ChordBounds& bounds() { return *bounds_; }
 
     /// Beside knots that may be known; at 0, where the piece before ends.
@@ -43,11 +43,17 @@ public:
 
     /// Whether the surfaces are proven to meet from one knot to the next.
     [[nodiscard]] bool overlap_all_along(const ProfileKnot& start, const ProfileKnot& end) const;
+    /// Whether nothing is proven to touch from one knot where nothing does to the next one.
+    bool stay_apart(const ProfileKnot& start, const ProfileKnot& end);
+    /// The time before which nothing touches.
+    [[nodiscard]] double clear_until() const { return clear_until_; }
 
     /// Of all pieces.
     [[nodiscard]] Work work() const;
 
 private:
+    [[nodiscard]] bool is_before_contact(double tau) const;
+    double contact_after(double tau);
     ProfileKnot at(double tau, std::span<const ProfileKnot* const> known);
     /// The bodies are tested at rest there.
     ProfileKnot in_contact(double tau, const std::function<search::NearKnot()>& nearest);
@@ -58,7 +64,8 @@ private:
     double radii_; ///< surfaces that are no farther apart touch
     search::ChordBounds::Error error_;
     double clear_until_ = 1; ///< time: nothing touches before it
-    const search::PieceContext* piece_ = nullptr;
+    Bracket clear_taus_;     ///< of the piece: nothing touches from the one until before the other
+    search::PieceContext* piece_ = nullptr;
     std::optional<search::ChordBounds> bounds_; ///< of the piece
     std::optional<ProfileKnot> last_;           ///< of the piece before
     Work work_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,11 +21,34 @@ std::optional<double> crossing_of(const LinearBound& line, double value) {
 }
 
 LinearBound part_of(const LinearBound& line, double from, double to) {
-    return {line.at(from), line.at(to)};
+    return {line.at(from), to == 1 ? line.end : line.at(to)}; // not rounded to 0
 }
 
-LinearBound at_least_zero(const LinearBound& line) {
-    return {std::max(0.0, line.start), std::max(0.0, line.end)};
+LinearBound at_least(double least, const LinearBound& line) {
+    return {std::max(least, line.start), std::max(least, line.end)};
+}
+
+/// The lower bound where no more is known than that nothing touches: the least normal number.
+constexpr double apart = std::numeric_limits<double>::min();
+
+/// Contacts are known up to a bracket, and times of steps are rounded.
+constexpr double before_contact = 1e-12;
+
+/// Raises bounds of 0 before a time. The step across the time is cut.
+void set_apart_until(DistanceProfile& profile, double time) {
+    auto& [times, lower, upper, certain, nearest, work] = profile;
+    for (std::size_t i = 0; i + 1 < times.size() && times[i] < time; ++i) {
+        if (lower[i] > 0)
+            continue;
+        if (times[i + 1] > time) {
+            const auto next = std::ptrdiff_t(i) + 1;
+            times.insert(times.begin() + next, time);
+            lower.insert(lower.begin() + next, lower[i]);
+            upper.insert(upper.begin() + next, upper[i]);
+        }
+        lower[i] = apart;
+        upper[i] = std::max(upper[i], apart);
+    }
 }
 
 } // namespace
@@ -53,7 +77,8 @@ double time_of(const motion::AnyPiece& piece, double tau) {
     return std::clamp(0.5 * (time.lower + time.upper), 0.0, 1.0);
 }
 
-void ProfileSteps::add(const Bracket& part, const DistanceBounds& lines) {
+void ProfileSteps::add(const Bracket& part, const DistanceBounds& lines, bool is_free) {
+    const double least = is_free ? apart : 0;
     std::vector<double> shares{0, 1};
     const auto cut = [&](const LinearBound& line, double value) {
         if (const auto share = crossing_of(line, value))
@@ -71,7 +96,7 @@ void ProfileSteps::add(const Bracket& part, const DistanceBounds& lines) {
     for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
         const double from = shares[i], to = shares[i + 1];
         add_even({tau_at(from), tau_at(to)},
-                 {at_least_zero(part_of(lines.lower, from, to)), at_least_zero(part_of(lines.upper, from, to))});
+                 {at_least(least, part_of(lines.lower, from, to)), at_least(least, part_of(lines.upper, from, to))});
     }
 }
 
@@ -115,9 +140,10 @@ void ProfileSteps::add_rest(double lower, double upper) {
     add_until(1, lower, upper);
 }
 
-DistanceProfile ProfileSteps::result() && {
+DistanceProfile ProfileSteps::result(double clear_until) && {
     profile_.times.front() = 0; // clocks are rounded
     profile_.times.back() = 1;
+    set_apart_until(profile_, clear_until == 1 ? 1 : clear_until - before_contact);
     profile_.lower.push_back(profile_.lower.back());
     profile_.upper.push_back(profile_.upper.back());
     return std::move(profile_);

@@ -26,13 +26,14 @@ public:
     /// Parts are of this piece, which is kept by reference.
     void begin(const motion::AnyPiece& piece) { piece_ = &piece; }
 
-    /// Between the margins that the lines cross.
-    void add(const Bracket& part, const search::DistanceBounds& lines);
+    /// Between the margins that the lines cross. `is_free`: nothing touches in the part, though the lower line may not
+    /// prove it.
+    void add(const Bracket& part, const search::DistanceBounds& lines, bool is_free);
     void add_one(const Bracket& part, double lower, double upper);
     /// One step to the end of the motion.
     void add_rest(double lower, double upper);
-    /// Ends at time 1.
-    DistanceProfile result() &&;
+    /// Ends at time 1. Nothing touches before `clear_until`.
+    DistanceProfile result(double clear_until) &&;
 
 private:
     void add_even(const Bracket& part, const search::DistanceBounds& lines);

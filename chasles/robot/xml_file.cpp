@@ -193,9 +193,12 @@ std::vector<double> XmlFile::numbers(const Element& element, const char* attribu
     io::Words words(given);
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         const std::optional<double> value = io::parse_finite(word);
-        if (!value)
-            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
-                              (word.find(',') != std::string_view::npos ? "; blanks separate numbers" : ""));
+        if (!value) {
+            const std::string hint = count == 1 ? io::decimal_comma_hint(word) : "";
+            fail(element,
+                 std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
+                     (hint.empty() && word.find(',') != std::string_view::npos ? "; blanks separate numbers" : hint));
+        }
         values.push_back(*value);
     }
     if (values.size() != count)

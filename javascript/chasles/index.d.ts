@@ -155,7 +155,8 @@ export interface LeastDistance extends ContactParts {
   work: Work;
 }
 
-/** The distance over time. From times[i] to times[i + 1] it is never below lower[i] and never above upper[i], mesh unit. */
+/** The distance over time. From times[i] to times[i + 1] it is never below lower[i] and never above upper[i], mesh unit.
+ * Where no more is known than that nothing touches, `lower` is the least normal number, 2.2e-308. */
 export interface DistanceProfile {
   /** Ascending, from 0 to 1. The last entries of `lower` and `upper` are those at time 1. */
   times: Float64Array;

@@ -1,6 +1,5 @@
 // chasles._core.view_page: the page of an answer. python/chasles/view.py writes it to a file.
 #include "chasles/base/invalid_input.h"
-#include "chasles/base/sort.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
@@ -8,8 +7,8 @@
 #include "python/src/without_gil.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
+#include "view/sampled_track.h"
 
-#include <algorithm>
 #include <nanobind/stl/string.h>
 #include <optional>
 #include <vector>
@@ -34,33 +33,25 @@ std::optional<view::MotionNumbers> shown_numbers(const TypedMotion& motion) {
         motion);
 }
 
-/// Equal steps as dense as a page of a screw has, and the time of the contact.
-std::vector<double> shown_times(const FirstContact& found, std::size_t steps) {
-    std::vector<double> times;
-    for (std::size_t i = 0; i <= steps; ++i)
-        times.push_back(double(i) / double(steps));
-    if (found.verdict != Verdict::clear)
-        times.push_back(found.time.lower);
-    chasles::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
-}
-
 /// Any motion as a record of two bodies. It shows no numbers of the motion.
 view::SceneRecord record_of(const Answer& answer, const Polyhedron& moving, const Polyhedron& fixed) {
     const Motion motion = plain(answer.motion);
     const FirstContact& found = answer.found;
-    const std::vector<double> times = shown_times(found, view::sampled_poses(motion).moving.size() - 1);
-    std::vector<Pose> moving_poses, fixed_poses;
-    for (const double time : times) {
-        moving_poses.push_back(motion.pose_at(time));
-        fixed_poses.push_back(motion.fixed_pose_at(time));
-    }
+    const view::PosedBodies bodies{[&](double time) {
+                                       return std::vector{motion.pose_at(time), motion.fixed_pose_at(time)};
+                                   },
+                                   {view::box_around(moving), view::box_around(fixed)},
+                                   view::cuts_of(motion)};
+    std::vector<double> stops{0, 1};
+    if (found.verdict != Verdict::clear && found.time.lower > 0 && found.time.lower < 1)
+        stops.insert(stops.begin() + 1, found.time.lower);
+    std::vector<view::SampledTrack> tracks = view::sampled_tracks(bodies, stops);
     view::SceneRecord record{.source = view::RecordSource::first_contact,
                              .margin = answer.margin,
                              .clear_until = found.clear_until,
-                             .times = times};
-    record.bodies = {{"", moving, view::pose_rows(moving_poses)}, {"", fixed, view::pose_rows(fixed_poses)}};
+                             .times = {0, 1}};
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        record.bodies.push_back({"", i == 0 ? moving : fixed, std::move(tracks[i].poses), std::move(tracks[i].times)});
     if (found.verdict != Verdict::clear)
         record.contacts.push_back({.time = found.time.lower,
                                    .time_upper = found.time.upper,

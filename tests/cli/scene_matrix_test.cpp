@@ -97,6 +97,17 @@ TEST_F(SceneMatrix, WritesATableAndAPicture) {
     EXPECT_EQ(occurrences(picture, ">0.5<"), 3U) << "twice, and the legend";
 }
 
+/// XML takes no control characters.
+TEST_F(SceneMatrix, APictureShowsControlCharactersOfNamesAsQuestionMarks) {
+    write("odd.json", R"({"bodies": [{"name": "a\u0001b\u001bc", "mesh": "cube.obj", "pose": [0, 0, 0]},
+        {"name": "\u0085", "mesh": "cube.obj", "pose": [9, 0, 0], "goal": [8, 0, 0]}]})");
+    EXPECT_EQ(run("scene odd.json --matrix --plot m.svg").status, 0);
+    const std::string picture = content("m.svg");
+    EXPECT_EQ(occurrences(picture, ">a?b?c<"), 2U);
+    for (const char c : picture)
+        EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n') << int(c);
+}
+
 TEST_F(SceneMatrix, AtALimitHasWhatTheBoxesProve) {
     const auto finished = run("scene clear.json --matrix --seconds 1e-9");
     EXPECT_EQ(finished.status, 0) << "boxes that are apart prove it";

@@ -328,6 +328,18 @@ TEST_F(TrajectoryFiles, SayWhatASceneFileIs) {
                   "Gazebo are not read");
 }
 
+TEST_F(TrajectoryFiles, SayThatJsonHasNoComments) {
+    const auto said = [&](const std::string& text) { return error_line((write("c.json", text), "scene c.json")); };
+    const std::string scene = "{\"bodies\": [], \"margin\": 0}";
+    EXPECT_EQ(said("// c\n" + scene), "chasles: c.json: line 1: '// c' is a comment, and JSON has none");
+    EXPECT_EQ(said("\n# c\r\n" + scene), "chasles: c.json: line 2: '# c' is a comment, and JSON has none");
+    EXPECT_EQ(said("/* c\n */ // d\n" + scene), "chasles: c.json: line 1: '/* c' is a comment, and JSON has none");
+    EXPECT_EQ(said("{\n\"bodies\": [], // none\n}"),
+              "chasles: c.json: line 2: '// none' is a comment, and JSON has none");
+    EXPECT_TRUE(said("# a comment\nname: scene\n").starts_with("chasles: c.json: is no scene file"));
+    EXPECT_EQ(said("/* endless"), "chasles: c.json: line 1: '/* endless' is a comment, and JSON has none");
+}
+
 /// In a scene file the later of two equal keys would count in silence.
 TEST_F(TrajectoryFiles, ScenesRefuseAKeyThatComesTwice) {
     write("twice.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj", "pose": [0, 0, 0], "pose": [9, 9, 9]}]})");

@@ -153,6 +153,9 @@ TEST(ReadCollada, RefusesNumbersThatAreNotFinite) {
     std::string text = tests::post_collada("Y_UP");
     text.replace(text.find("0.0625"), 6, "nan");
     EXPECT_EQ(message_of([&] { (void)read_collada(text); }), "line 4: <float_array>: '-nan' is not a finite number");
+    text.replace(text.find("-nan"), 4, "0,0625");
+    EXPECT_EQ(message_of([&] { (void)read_collada(text); }),
+              "line 4: <float_array>: '0,0625' is not a finite number; write a decimal point");
 }
 
 TEST(ReadCollada, DeepAndWideElementsCostOneLine) {

@@ -235,6 +235,14 @@ TEST(Rest, IsTheMotionFromThereOn) {
     EXPECT_THROW((void)rest_of(straight, 1), InvalidInput);
     EXPECT_THROW((void)rest_of(straight, -0.1), InvalidInput);
     EXPECT_THROW((void)rest_of(Motion::screw(Pose(), Pose()), 0), InvalidInput);
+    try {
+        (void)rest_of(relative(straight, Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 1})), 0.5);
+        ADD_FAILURE() << "is refused";
+    } catch (const InvalidInput& error) {
+        EXPECT_TRUE(std::string(error.what())
+                        .ends_with("; of two motions take relative(rest_of(moving, start), rest_of(fixed, start))"))
+            << error.what();
+    }
 }
 
 /// The second difference of a path over a short time, as a share of the stated bound of the acceleration.

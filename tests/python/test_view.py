@@ -88,6 +88,21 @@ def test_pages_of_scenes_and_robots_show_curves(cube, page):
     assert [tuple(pair) for pair in curve["pairs"]] == profile.pairs
 
 
+def test_pages_of_pairs_and_scenes_show_a_short_stroke(cube, page):
+    """The stroke lasts a thousandth of the motion."""
+    stamps, heights = [0, 0.4445, 0.445, 0.4455, 1], [60, 60, 10, 60, 60]
+    stroke = chasles.TimedPoses.through(stamps, [pose(0, 0, z) for z in heights])
+    scene = chasles.Scene()
+    scene.add("punch", cube, motion=stroke)
+    scene.add("die", cube)
+    chasles.first_contact(cube, cube, motion=stroke).view(page)
+    pair = scene_of(page)
+    scene.view(scene.first_contact(), page)
+    for bodies in (pair["bodies"], scene_of(page)["bodies"]):
+        drawn = dict(zip(numbers(bodies[0]["times"]), numbers(bodies[0]["poses"]).reshape(-1, 7)[:, 2], strict=True))
+        assert [drawn.get(time) for time in stamps] == heights
+
+
 def test_a_swapped_answer_writes_the_same_page(cube, page, tmp_path):
     found = chasles.view(cube, cube, START, GOAL, out=page, names=("one", "other"))
     again = found.swapped().view(tmp_path / "again.html", names=("other", "one"))

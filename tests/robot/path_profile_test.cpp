@@ -93,6 +93,18 @@ TEST(RobotProfile, GoesOnAfterASegmentOfOverlap) {
     EXPECT_GE(found.upper[step_of(found, 1.5)], 4.6 - 1.6);
 }
 
+TEST(RobotProfile, IsFreeBesideAWallThatItDoesNotTouch) {
+    const Robot robot = sliding_cube();
+    Scene scene;
+    scene.add({"wall", box({5, 0.1, 5}).polyhedron(), Motion::at_rest(shifted(0, 0.6 + 1e-7, 0))});
+    const std::vector<Configuration> knots{Configuration::Constant(1, 0.8), Configuration::Constant(1, 1.2),
+                                           Configuration::Constant(1, 0)};
+    const DistanceProfile found = RobotChecker(robot, &scene).profile(JointPath::straight(robot, knots), {}).distance;
+    ASSERT_EQ(found.free().size(), 1U);
+    EXPECT_EQ(found.free()[0].lower, 0);
+    EXPECT_EQ(found.free()[0].upper, 2);
+}
+
 /// Past two posts.
 TEST(RobotProfile, NamesThePostThatIsNearestInStamps) {
     const Robot robot = sliding_cube();

@@ -48,6 +48,8 @@ TEST_F(XmlFileTest, RefusesWhatWouldBeLeftOut) {
         << "the same again says nothing else";
     EXPECT_EQ(refused("xyz=\"1 2 3\"", "xyz=\"1, 2, 3\""),
               "robot.urdf:5: <origin>: xyz: '1,' is not a finite number; blanks separate numbers");
+    EXPECT_EQ(refused("xyz=\"1 2 3\"", "xyz=\"1,2 3\""),
+              "robot.urdf:5: <origin>: xyz: '1,2' is not a finite number; blanks separate numbers");
 }
 
 TEST_F(XmlFileTest, NamesWhatOtherFilesAre) {

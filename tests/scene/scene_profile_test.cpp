@@ -93,6 +93,28 @@ TEST(SceneProfile, NamesThePairThatIsNearest) {
     EXPECT_NEAR(zones.inside[1].lower, 0.75, 1e-5);
 }
 
+/// All gaps are below the absolute tolerance.
+TEST(SceneProfile, IsFreeWhileNoPairTouches) {
+    const Polyhedron cube = make_box({1, 1, 1});
+    const auto at = [](double x, double z) { return Pose({x, 0, z}, Eigen::Quaterniond::Identity()); };
+    Scene drawers;
+    drawers.add({"below", cube, Motion::at_rest(at(0, 0))});
+    drawers.add({"drawer", cube, Motion::velocity(at(-0.2, 1 + 1e-7), at(0.2, 1 + 1e-7))});
+    drawers.add({"above", cube, Motion::at_rest(at(0, 2 + 3e-7))});
+    const std::vector<Bracket> free = drawers.profile().distance.free();
+    ASSERT_EQ(free.size(), 1U);
+    EXPECT_EQ(free[0].lower, 0);
+    EXPECT_EQ(free[0].upper, 1);
+    drawers.add({"stop", cube, Motion::velocity(at(9, 0), at(-7, 0))}); // through "below" from 0.5 to 0.625
+    const std::vector<Bracket> beside = drawers.profile().distance.free();
+    ASSERT_EQ(beside.size(), 2U);
+    EXPECT_LE(beside[0].upper, 0.5);
+    EXPECT_NEAR(beside[0].upper, 0.5, 1e-6);
+    EXPECT_GE(beside[1].lower, 0.625);
+    EXPECT_NEAR(beside[1].lower, 0.625, 1. / 128);
+    EXPECT_EQ(beside[1].upper, 1);
+}
+
 TEST(SceneProfile, EndsAtALimitWithWhatIsProven) {
     Random random(4503);
     const Scene world = moving_octahedra(random, 30, 8);

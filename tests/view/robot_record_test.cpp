@@ -142,6 +142,20 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
 }
 
 /// A part is on the shaft for a quarter of a turn, then on the base, and on the wheel at last.
+TEST(RobotRecord, ABodyOfTheWorldMakesAShortStroke) {
+    const Robot robot(shaft_with_wheel(1));
+    Scene world;
+    const Pose rest = test::shifted(90, 0, 60), tip = test::shifted(90, 0, 10);
+    world.add({"punch", test::box({0.5, 0.4, 0.3}).polyhedron(),
+               TimedPoses::through({0, 0.43, 0.445, 0.46, 1}, {rest, rest, tip, rest, rest})});
+    const view::SceneRecord record =
+        view::robot_record(robot, &world, {turning(robot, 0.1), answer_of(Verdict::clear)});
+    double lowest = 60;
+    for (const view::PoseRow& row : record.bodies.back().poses)
+        lowest = std::min(lowest, row[2]);
+    EXPECT_NEAR(lowest, 10, 2e-3);
+}
+
 TEST(RobotRecord, APartChangesHandsWhereItIs) {
     Robot robot(shaft_with_wheel(1));
     robot.attach({"part", "shaft", test::box({0.1, 0.1, 0.1}).polyhedron(), test::shifted(0, 2, 0)});

@@ -3,8 +3,10 @@
 
 #include "tests/query/bodies.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 
 namespace chasles {
 namespace {
@@ -115,6 +117,68 @@ TEST(SampledTrack, BodiesThatArePosedTogetherHaveTracksOfTheirOwn) {
         EXPECT_EQ(tracks[i].poses, alone.poses);
     }
     EXPECT_EQ(done, (std::vector<std::size_t>{1, 2}));
+}
+
+/// From one place, for a stroke of 100 that lasts a share of the motion, and back again.
+TimedPoses stroke(double time, double share) {
+    const Pose rest = test::shifted(0, 0, 60), tip = test::shifted(0, 0, -40);
+    return TimedPoses::through({0, time - share / 2, time, time + share / 2, 1}, {rest, rest, tip, rest, rest});
+}
+
+/// The height at which a page shows the body.
+double height(const view::SampledTrack& track, double time) {
+    return track.times.empty() ? track.poses[0][2] : interpolated(track, time).translation().z();
+}
+
+TEST(SampledTrack, AShortStrokeReachesItsEnd) {
+    for (const double share : {0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-7})
+        for (int i = 1; i < 40; ++i) {
+            const double time = i / 41.;
+            if (share > 2 * std::min(time, 1 - time))
+                continue;
+            const Motion motion = stroke(time, share);
+            const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
+            ASSERT_FALSE(track.times.empty()) << time << " " << share;
+            EXPECT_NEAR(height(track, time), -40, 2e-3) << time << " " << share;
+            for (const double beside : {time - share / 2, time + share / 2})
+                EXPECT_NEAR(height(track, beside), 60, 2e-3) << time << " " << share;
+            EXPECT_LE(largest_deviation(motion, track), 2.5e-3) << time << " " << share;
+        }
+}
+
+/// Cuts reach the pages through all ways to make motions of motions.
+TEST(SampledTrack, AShortStrokeWithinAMotionReachesItsEnd) {
+    const double time = 0.445, share = 0.01;
+    const Motion alone = stroke(time, share);
+    OwnTrajectory own;
+    own.pose_at = [&](double at) { return alone.pose_at(at); };
+    own.bounds = [](double, double) { return MotionBounds{0, 0, 2e4, 0}; };
+    own.knots = {time - share / 2, time, time + share / 2};
+    const Pose rest = test::shifted(0, 0, 60), tip = test::shifted(0, 0, -40);
+    const Motion spline = Motion::spline({0, time - share, time - share / 2, time, time + share / 2, time + share, 1},
+                                         {rest, rest, rest, tip, rest, rest, rest});
+    const std::vector<std::pair<Motion, double>> cases{{alone * Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 1}), time},
+                                                       {Motion::slider({1, 0, 0}, {0, 5}) * alone, time},
+                                                       {alone.reversed(), 1 - time},
+                                                       {rest_of(alone, 0.2), (time - 0.2) / 0.8},
+                                                       {relative(alone, Motion::at_rest(test::shifted(0, 0, 0))), time},
+                                                       {relative(alone, Motion::slider({1, 0, 0}, {0, 1})), time},
+                                                       {Motion::along(own), time},
+                                                       {spline, time}};
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        EXPECT_NEAR(height(view::sampled_track(cases[i].first, unit_box, {}), cases[i].second), -40, 5e-3) << i;
+}
+
+TEST(SampledTrack, StampsOfAStraightWayAreLeftOut) {
+    std::vector<double> stamps;
+    std::vector<Pose> poses;
+    for (int i = 0; i <= 5000; ++i) {
+        stamps.push_back(i / 5000.);
+        poses.push_back(test::shifted(i / 5000., 0, i < 2500 ? 0 : (i - 2500) / 500.));
+    }
+    const view::SampledTrack track = view::sampled_track(TimedPoses::through(stamps, poses), unit_box, {});
+    EXPECT_LE(track.times.size(), 16U) << "halves around one corner";
+    EXPECT_NEAR(interpolated(track, 0.5).translation().z(), 0, 2e-3);
 }
 
 TEST(SampledTrack, HoldsTheExactTimesInOrder) {

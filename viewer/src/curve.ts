@@ -92,7 +92,7 @@ export function connectCurve(curve: Curve | undefined, player: Player): void {
   const text = byId("distance-text");
   player.onChange(() => {
     const step = steps.at(player.time);
-    const [lower, upper] = [steps.lower[step], steps.upper[step]].map((number) => number.toPrecision(4));
+    const [lower, upper] = [steps.lower[step], steps.upper[step]].map((number) => (number > 0 && number < 1e-300 ? "more than 0" : number.toPrecision(4)));
     const index = curve.nearest[step];
     const pair = index === undefined ? [] : [element("i"), ` ${pairText(curve.pairs[index])}`];
     if (index !== undefined) (pair[0] as HTMLElement).className = `hue-${index % hues}`;
