@@ -1,5 +1,6 @@
 // Which of the features that touch an answer reports: a contact with a normal that separates the bodies and that the
 // motion closes against; and an overlap where bodies pass through each other at the start.
+#include "chasles/motion/timed_poses.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/path.h"
 #include "tests/query/bodies.h"
@@ -165,6 +166,44 @@ TEST(ReportedContact, PartsThatOnlyTouchDoNotOverlap) {
             EXPECT_EQ(found.verdict, Verdict::contact_at_start);
             EXPECT_FALSE(found.overlap);
         }
+}
+
+/// A cube with a pillar that leans at random.
+Body cube_with_pillar(Random& random) {
+    Body body = box({0.5, 0.5, 0.5});
+    add_box(body, {0, 0, 0}, {0.1, 0.1, 1.5});
+    const Eigen::AngleAxisd lean(random.uniform(-0.5, 0.5), Eigen::Vector3d(random.uniform(-1, 1), 1, 0).normalized());
+    for (std::size_t i = 8; i < 16; ++i)
+        body.vertices[i] = lean * body.vertices[i];
+    return body;
+}
+
+TEST(ReportedContact, AProvenOverlapIsACertainContactOnEveryMotion) {
+    Random random(474);
+    for (int trial = 0; trial < 64; ++trial) {
+        const Polyhedron moving = cube_with_pillar(random).polyhedron(), fixed = cube_with_pillar(random).polyhedron();
+        const Pose start = shifted(0.3, 0, 0.2);
+        const Pose goal = turned({random.uniform(-2, 2), random.uniform(-2, 2), 1},
+                                 {random.uniform(-1, 1), random.uniform(-1, 1), 1}, random.uniform(0.1, 2));
+        const std::vector<Motion> motions{
+            Motion::screw(start, goal),
+            Motion::sweep(start, goal),
+            Motion::velocity(start, goal),
+            Motion::twist(start, goal),
+            TimedPoses::through({0, 1, 3}, {start, goal, start}),
+            relative(Motion::velocity(start, goal), Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 1}))};
+        for (const Motion& motion : motions)
+            for (const Find find : {Find::first, Find::first_with_all_contacts, Find::any}) {
+                const FirstContact found =
+                    first_contact({.moving = moving, .fixed = fixed, .motion = motion, .options = {.find = find}});
+                SCOPED_TRACE(testing::Message()
+                             << "trial " << trial << ", kind " << &motion - motions.data() << ", find " << int(find));
+                EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+                EXPECT_TRUE(found.certain);
+                EXPECT_EQ(found.time.upper, 0);
+                EXPECT_EQ(found.tau.upper, 0);
+            }
+    }
 }
 
 } // namespace
