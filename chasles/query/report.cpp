@@ -118,12 +118,12 @@ void report_touch(FirstContact& answer, const ContactMoment& moment, const searc
     const bool at_start = moment.scene().at_start;
     const bool is_in_doubt = at_start && !answer.certain;
     const bool is_question_of_features =
-        scope.margin == 0 && (scope.options.find != Find::any || is_in_doubt) && !is_proven(result.overlap);
+        is_in_doubt || (scope.margin == 0 && scope.options.find != Find::any && !is_proven(result.overlap));
     search::NearFeatures near;
     if (is_question_of_features && (at_start || !(is_listed || contact)))
-        near = moment.find({.most_pairs = is_in_doubt ? 1U << 12 : 1U << 8,
-                            .most_visits = is_in_doubt ? 1U << 14 : 1U << 10,
-                            .finds_crossing_faces = at_start});
+        near = moment.find_touching({.most_pairs = is_in_doubt ? 1U << 12 : 1U << 8,
+                                     .most_visits = is_in_doubt ? 1U << 14 : 1U << 10,
+                                     .finds_crossing_faces = at_start});
     answer.work += near.work;
     if (near.overlap)
         answer.overlap = near.overlap;

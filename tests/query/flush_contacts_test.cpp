@@ -202,7 +202,7 @@ Motion straight_motion(Random& random, const Straight& straight, int kind) {
 TEST(FlushContacts, StraightOnEachIsListedOnce) {
     Random random(4701);
     std::map<std::size_t, int> meetings; // by the number of contacts
-    for (int trial = 0; trial < 3000; ++trial) {
+    for (int trial = 0; trial < 1500; ++trial) {
         const Rectangle fixed = random_outline(random, {0, 0});
         const Whole way{random.integer(-9, 9) * 32, random.integer(-9, 9) * 32};
         const Rectangle moving = random_outline(random, Whole{random.integer(-80, 80), random.integer(-80, 80)} -
@@ -229,7 +229,7 @@ TEST(FlushContacts, StraightOnEachIsListedOnce) {
     EXPECT_EQ(meetings.size(), 2U) << "along an edge, and along a face";
     for (const auto& [contacts, count] : meetings) {
         std::cout << count << " times " << contacts << " contacts\n";
-        EXPECT_GT(count, 150);
+        EXPECT_GT(count, 60);
     }
 }
 
@@ -333,7 +333,7 @@ std::vector<PlanePair> touching(const Plane& plane, const FirstContact& found, c
 TEST(FlushContacts, OnATurnEachIsListedOnce) {
     Random random(4702);
     std::map<int, int> meetings; // by the kind of the motion
-    for (int trial = 0; trial < 2000; ++trial) {
+    for (int trial = 0; trial < 1000; ++trial) {
         const Plane plane(random);
         const Rectangle fixed = random_outline(random, {0, 0});
         const Whole place{random.integer(-90, 90), random.integer(-90, 90)};
@@ -359,7 +359,7 @@ TEST(FlushContacts, OnATurnEachIsListedOnce) {
     EXPECT_EQ(meetings.size(), std::size_t(turning_kinds));
     for (const auto& [kind, count] : meetings) {
         std::cout << count << " meetings on motions of kind " << kind << '\n';
-        EXPECT_GT(count, 20);
+        EXPECT_GT(count, 8);
     }
 }
 
@@ -382,7 +382,7 @@ std::vector<Motion> turns_of_a_door(const Plane& plane, double open, double clos
 /// The face of a door lies in a plane through its axis, and so meets that of the jamb at once.
 TEST(FlushContacts, OfADoorThatClosesOnAJambAllFourAreListed) {
     Random random(4703);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 30; ++trial) {
         const Plane plane(random);
         const std::int64_t left = random.integer(2, 20), right = left + random.integer(8, 30);
         const Rectangle door{{{left, 0}, {right, 0}, {right, 3}, {left, 3}}};
