@@ -220,8 +220,10 @@ TEST(ReportedContact, AProvenOverlapIsACertainContactOnEveryMotion) {
                     first_contact({.moving = a, .fixed = b, .motion = motion, .options = options});
                 SCOPED_TRACE(testing::Message() << "trial " << trial << ", kind " << &motion - motions.data()
                                                 << ", options " << &options - all_options.data());
-                EXPECT_EQ(found.verdict, Verdict::contact_at_start);
                 EXPECT_TRUE(found.certain);
+                if (options.find == Find::any) // may be a later contact
+                    continue;
+                EXPECT_EQ(found.verdict, Verdict::contact_at_start);
                 EXPECT_EQ(found.time.upper, 0);
                 EXPECT_EQ(found.tau.upper, 0);
             }
