@@ -115,12 +115,15 @@ void report_touch(FirstContact& answer, const ContactMoment& moment, const searc
     const bool is_listed = lists_contacts(scope.options) || (result.candidates.empty() && !result.overlap);
     std::optional<Contact> contact =
         is_listed || result.candidates.empty() ? std::nullopt : closing_contact(moment, result.candidates);
-    const bool is_question_of_features =
-        scope.margin == 0 && scope.options.find != Find::any && !is_proven(result.overlap);
     const bool at_start = moment.scene().at_start;
+    const bool is_in_doubt = at_start && !answer.certain;
+    const bool is_question_of_features =
+        is_in_doubt || (scope.margin == 0 && scope.options.find != Find::any && !is_proven(result.overlap));
     search::NearFeatures near;
     if (is_question_of_features && (at_start || !(is_listed || contact)))
-        near = moment.find({.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = at_start});
+        near = moment.find_touching({.most_pairs = is_in_doubt ? 1U << 12 : 1U << 8,
+                                     .most_visits = is_in_doubt ? 1U << 14 : 1U << 10,
+                                     .finds_crossing_faces = at_start});
     answer.work += near.work;
     if (near.overlap)
         answer.overlap = near.overlap;
@@ -170,9 +173,14 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     answer.pose = piece.pose_at(tau.lower);
     answer.fixed_pose = piece.fixed_pose_at(tau.lower);
     answer.overlap = result.overlap;
-    const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
+    const double width = std::min(tau.upper - tau.lower, piece.tau_tolerance(scope.options.time_tolerance));
     const ContactMoment moment(context, tau.lower, at_start, scope.margin, width);
     report_touch(answer, moment, result, scope);
+    if (is_proven(answer.overlap)) { // nothing is earlier
+        answer.certain = true;
+        answer.tau = piece.tau_of({0, 0});
+        answer.time = piece.time_of({0, 0});
+    }
     if (lists_contacts(scope.options))
         list_contacts(answer, moment, result);
     if (!is_proven(answer.overlap) && !answer.contacts.empty())

@@ -53,6 +53,12 @@ public:
     [[nodiscard]] search::NearFeatures find(const search::NearSearch& search) const {
         return search::near_features(context_, scene_, tau_, search);
     }
+    /// What touches, whatever the margin is.
+    [[nodiscard]] search::NearFeatures find_touching(const search::NearSearch& search) const {
+        contact::ContactScene touching = scene_;
+        touching.margin = 0;
+        return search::near_features(context_, touching, tau_, search);
+    }
     /// The features on which the nearest points of two features are.
     [[nodiscard]] contact::FeaturePair nearest_parts(const contact::FeaturePair& features) const {
         return contact::features_at(scene_, features, search::NearestAtRest().points(bodies_, features));

@@ -33,7 +33,7 @@ Distance random_distance(Random& random, std::uint32_t name) {
     return distance;
 }
 
-std::size_t step_at(const DistanceProfile& profile, double time) {
+std::size_t step_during(const DistanceProfile& profile, double time) {
     return std::size_t(std::ranges::upper_bound(profile.times, time) - profile.times.begin()) - 1;
 }
 
@@ -48,7 +48,7 @@ Bounds least_at(const std::vector<Distance>& distances, double time) {
         const auto& [profile, part, name] = distance;
         if (time < part.lower || time >= part.upper)
             continue;
-        const std::size_t step = step_at(profile, (time - part.lower) / (part.upper - part.lower));
+        const std::size_t step = step_during(profile, (time - part.lower) / (part.upper - part.lower));
         least.lower = std::min(least.lower, profile.lower[step]);
         least.upper = std::min(least.upper, profile.upper[step]);
     }
@@ -70,7 +70,7 @@ TEST(LowerEnvelope, IsTheLeastAtEveryTime) {
         for (int i = 0; i < 256; ++i) {
             const double time = (i + 0.5) / 256;
             const Bounds expected = least_at(distances, time);
-            const std::size_t step = step_at(found, time);
+            const std::size_t step = step_during(found, time);
             EXPECT_EQ(found.lower[step], expected.lower);
             EXPECT_EQ(found.upper[step], expected.upper);
             greatest = std::max(greatest, expected.upper);

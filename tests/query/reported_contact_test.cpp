@@ -1,5 +1,6 @@
 // Which of the features that touch an answer reports: a contact with a normal that separates the bodies and that the
 // motion closes against; and an overlap where bodies pass through each other at the start.
+#include "chasles/motion/timed_poses.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/path.h"
 #include "tests/query/bodies.h"
@@ -165,6 +166,68 @@ TEST(ReportedContact, PartsThatOnlyTouchDoNotOverlap) {
             EXPECT_EQ(found.verdict, Verdict::contact_at_start);
             EXPECT_FALSE(found.overlap);
         }
+}
+
+/// A cube, mostly with a pillar that leans at random.
+Body cube_with_pillar(Random& random) {
+    Body body = box({0.5, 0.5, 0.5});
+    if (random.chance(0.3))
+        return body;
+    add_box(body, {0, 0, 0}, {0.1, 0.1, 1.5});
+    const Eigen::AngleAxisd lean(random.uniform(-0.5, 0.5), Eigen::Vector3d(random.uniform(-1, 1), 1, 0).normalized());
+    const Eigen::Vector3d foot(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0);
+    for (std::size_t i = 8; i < 16; ++i)
+        body.vertices[i] = lean * body.vertices[i] + foot;
+    return body;
+}
+
+/// Two bodies that pass through each other at the start, with flush sides: cubes that are shifted in a plane, or bars
+/// of one height that cross.
+struct PassingBodies {
+    Body moving, fixed;
+    Pose start;
+};
+
+PassingBodies passing_bodies(Random& random) {
+    if (random.chance(0.5))
+        return {cube_with_pillar(random), cube_with_pillar(random), shifted(0.3, 0, 0.2)};
+    return {box({1.2, random.uniform(0.3, 0.5), 1}), box({random.uniform(0.3, 0.5), 1.2, 1}),
+            turned({random.uniform(-0.1, 0.1), 0, 0}, {0, 0, 1}, random.uniform(-0.5, 0.5))};
+}
+
+TEST(ReportedContact, AProvenOverlapIsACertainContactOnEveryMotion) {
+    Random random(474);
+    for (int trial = 0; trial < 64; ++trial) {
+        const auto [moving, fixed, start] = passing_bodies(random);
+        const Polyhedron a = moving.polyhedron(), b = fixed.polyhedron();
+        const Pose goal = turned({random.uniform(-2, 2), random.uniform(-2, 2), 1},
+                                 {random.uniform(-1, 1), random.uniform(-1, 1), 1}, random.uniform(0.1, 2));
+        const std::vector<Motion> motions{
+            Motion::screw(start, goal),
+            Motion::sweep(start, goal),
+            Motion::velocity(start, goal),
+            Motion::twist(start, goal),
+            TimedPoses::through({0, 1, 3}, {start, goal, start}),
+            relative(Motion::velocity(start, goal), Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 1}))};
+        const std::vector<QueryOptions> all_options{{.find = Find::first},
+                                                    {.find = Find::first_with_all_contacts},
+                                                    {.find = Find::any},
+                                                    {.margin = 0.1},
+                                                    {.margin = 0.1, .hold = 0.05}};
+        for (const Motion& motion : motions)
+            for (const QueryOptions& options : all_options) {
+                const FirstContact found =
+                    first_contact({.moving = a, .fixed = b, .motion = motion, .options = options});
+                SCOPED_TRACE(testing::Message() << "trial " << trial << ", kind " << &motion - motions.data()
+                                                << ", options " << &options - all_options.data());
+                EXPECT_TRUE(found.certain);
+                if (options.find == Find::any) // may be a later contact
+                    continue;
+                EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+                EXPECT_EQ(found.time.upper, 0);
+                EXPECT_EQ(found.tau.upper, 0);
+            }
+    }
 }
 
 } // namespace
