@@ -21,7 +21,7 @@ protected:
     <limit lower="-3" upper="3"/></joint>
   <joint name="bend" type="revolute"><parent link="upper"/><child link="lower"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
     <limit lower="-3" upper="3"/></joint></robot>)");
-        write("cell.json", R"({"bodies": [{"name": "ball", "sphere": 0.1, "pose": [1, 0.6, 0]}]})");
+        write("cell.json", R"({"bodies": [{"name": "ball", "sphere": 0.1, "pose": [1.12, 0.6, 0]}]})");
         write("falling.json",
               R"({"bodies": [{"name": "ball", "sphere": 0.1, "pose": [0, 0.5, 5], "goal": [0, 0.5, -5]}]})");
     }
