@@ -1,6 +1,7 @@
 #include "cli/joint_states.h"
 
 #include "chasles/base/invalid_input.h"
+#include "cli/message_values.h"
 
 #include <string>
 #include <vector>
@@ -43,9 +44,15 @@ std::optional<Json> trajectory_of_states(const Json& json) {
         if ((*state)["name"] != names)
             throw InvalidInput("messages: message " + std::to_string(points.size() + 1) +
                                " has other names than the first one: leave the messages of one publisher in the file");
-        points.push_back({{"positions", (*state)["position"]},
-                          {"velocities", value_in(*state, "velocity")},
-                          {"time_from_start", value_in(value_in(*state, "header"), "stamp")}});
+        const Json header = value_in(*state, "header");
+        Json point = {{"positions", (*state)["position"]},
+                      {"velocities", value_in(*state, "velocity")},
+                      {"time_from_start", value_in(header, "stamp")}};
+        for (const std::string& key : other_keys(*state, {"header", "name", "position", "velocity", "effort"}))
+            point["message: " + key] = true;
+        for (const std::string& key : other_keys(header, {"seq", "stamp", "frame_id"}))
+            point["header: " + key] = true;
+        points.push_back(std::move(point));
     }
     return Json{{"joint_names", names}, {"points", points}};
 }

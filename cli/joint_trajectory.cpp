@@ -7,12 +7,16 @@
 #include "chasles/io/read_file.h"
 #include "chasles/robot/joint_columns.h"
 #include "cli/joint_states.h"
+#include "cli/message_values.h"
 #include "cli/options.h"
 #include "cli/strict_json.h"
+#include "cli/trajectory_start.h"
 #include "cli/yaml_text.h"
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <span>
 
 namespace chasles::cli {
 namespace {
@@ -40,41 +44,16 @@ bool is_json_text(const std::filesystem::path& file, std::string_view text) {
     return extension != ".yaml" && extension != ".yml" && (line.starts_with('{') || line.starts_with('['));
 }
 
-/// The text of a value. YAML may hold bytes that are no UTF-8.
-std::string shown(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-double finite_in(const Json& json) {
-    if (json.is_number())
-        return json.get<double>();
-    const std::string text = json.is_string() ? json.get<std::string>() : shown(json);
-    if (const auto number = io::parse_finite(text); number && json.is_string())
-        return *number;
-    throw InvalidInput("not a finite number: " + io::in_quotes(text) + io::decimal_comma_hint(text));
-}
-
-const Json& entries_of(const Json& json) {
-    if (!json.is_array())
-        throw InvalidInput("must be a list");
-    return json;
-}
-
-const Json* find_in(const Json& json, const char* key) {
-    const auto found = json.is_object() ? json.find(key) : json.end();
-    return found == json.end() || found->is_null() ? nullptr : &*found;
-}
-
 /// Adds the trajectories below a node.
 void find_trajectories(const Json& json, int depth, std::vector<const Json*>& found) {
     if (json.is_object() && json.contains("joint_names") && json.contains("points"))
         found.push_back(&json);
     else if (json.is_structured() && depth < deepest_wrapper)
         for (const auto& [key, value] : json.items()) {
-            if (key != "multi_dof_joint_trajectory")
+            if (key != "multi_dof_joint_trajectory" && key != "multi_dof_trajectory")
                 find_trajectories(value, depth + 1, found);
             else if (const Json* names = find_in(value, "joint_names"); names && !names->empty())
-                throw InvalidInput("multi_dof_joint_trajectory: is not read; a table of columns can hold its joints");
+                throw InvalidInput(key + ": is not read; a table of columns can hold its joints");
         }
 }
 
@@ -107,43 +86,6 @@ GivenTrajectory only_trajectory_in(const Json& json) {
     return {*found.front()};
 }
 
-std::vector<std::string> joint_names_in(const GivenTrajectory& trajectory) {
-    return at_place(trajectory.words.names, [&] {
-        std::vector<std::string> names;
-        for (const Json& name : entries_of(trajectory.content["joint_names"])) {
-            if (!name.is_string())
-                throw InvalidInput("not a text: " +
-                                   io::in_quotes(name.is_structured() ? "a list or an object" : shown(name)));
-            names.push_back(name.get<std::string>());
-        }
-        return names;
-    });
-}
-
-/// Writers leave out a part that is 0, or write a list whose second number is 0 in any unit.
-double seconds_in_list(const Json& list) {
-    if (list.size() == 2 && finite_in(list[1]) == 0)
-        return finite_in(list[0]);
-    throw InvalidInput(
-        "a list is read only as [SECONDS, 0]; write {sec: SECONDS, nanosec: NANOSECONDS}, or the seconds");
-}
-
-/// ROS 2 has sec and nanosec, ROS 1 secs and nsecs; others write the seconds.
-double seconds_in(const Json& json) {
-    if (json.is_array())
-        return seconds_in_list(json);
-    if (!json.is_object())
-        return finite_in(json);
-    const auto part = [&](const char* key, const char* other) {
-        const Json* value = find_in(json, key) ? find_in(json, key) : find_in(json, other);
-        return value ? std::optional(at_place(key, [&] { return finite_in(*value); })) : std::nullopt;
-    };
-    const std::optional<double> seconds = part("sec", "secs"), nanoseconds = part("nanosec", "nsecs");
-    if (!seconds && !nanoseconds)
-        throw InvalidInput("has no sec, no secs, no nanosec and no nsecs");
-    return seconds.value_or(0) + 1e-9 * nanoseconds.value_or(0);
-}
-
 std::vector<double> positions_in(const Json& point, std::size_t joints, const Words& words) {
     const Json* positions = find_in(point, "positions");
     if (!positions)
@@ -164,18 +106,29 @@ std::string place_of(const Words& words, std::size_t number) {
 /// Reads the points one by one.
 class PointReader {
 public:
-    PointReader(std::size_t joints, const robot::JointColumns& columns, const GivenTrajectory& trajectory)
-        : joints_(joints), columns_(columns), trajectory_(trajectory) {}
+    /// The columns are those of the points, and after them joints that stay at the values of `rest`.
+    PointReader(const robot::JointColumns& columns, std::size_t joints, std::vector<double> rest,
+                const GivenTrajectory& trajectory)
+        : columns_(columns), joints_(joints), rest_(std::move(rest)), trajectory_(trajectory) {}
 
     void read(const Json& point) {
-        const auto positions = at_place(words().positions, [&] { return positions_in(point, joints_, words()); });
+        auto positions = at_place(words().positions, [&] { return positions_in(point, joints_, words()); });
+        if (first_.empty())
+            first_ = positions;
+        positions.insert(positions.end(), rest_.begin(), rest_.end());
         rows_.configurations.push_back(columns_.configuration(positions));
+        for (const std::string& key :
+             other_keys(point, {"positions", "velocities", "accelerations", "effort", "time_from_start"}))
+            ignored_.insert(key);
         for (const char* key : {"velocities", "accelerations"})
             if (const Json* rates = find_in(point, key); rates && !rates->empty())
                 has_rates_ = true;
         if (const Json* time = find_in(point, "time_from_start"))
             times_.push_back(at_place(words().time, [&] { return seconds_in(*time); }));
     }
+
+    /// The positions of the first point.
+    [[nodiscard]] std::span<const double> first() const { return first_; }
 
     robot::ConfigurationRows finish() {
         take_stamps();
@@ -186,6 +139,9 @@ public:
             rows_.warnings.emplace_back(
                 "velocities and accelerations are not used: the path is straight in joint space "
                 "from point to point");
+        if (!ignored_.empty())
+            rows_.warnings.push_back(std::string(words().points) + ": ignored keys: " +
+                                     io::shown_names(std::vector<std::string>(ignored_.begin(), ignored_.end())));
         if (rows_.configurations.size() < 2)
             throw InvalidInput(std::string(words().points) + ": a path needs at least two, and there are " +
                                std::to_string(rows_.configurations.size()) +
@@ -211,11 +167,13 @@ private:
             at_place(place_of(words(), i + 1), [&] { io::add_stamp(times_[i], words().time, rows_.stamps); });
     }
 
-    std::size_t joints_;
     const robot::JointColumns& columns_;
+    std::size_t joints_;
+    std::vector<double> rest_, first_;
     const GivenTrajectory& trajectory_;
     robot::ConfigurationRows rows_;
     std::vector<double> times_;
+    std::set<std::string> ignored_; ///< keys of points
     bool has_rates_ = false;
 };
 
@@ -235,17 +193,31 @@ robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_
     const Json json = is_json ? parse_json(with_quoted_nan(text)) : parse_yaml(text);
     const GivenTrajectory trajectory = only_trajectory_in(json);
     const Words& words = trajectory.words;
-    const std::vector<std::string> names = joint_names_in(trajectory);
-    const robot::JointColumns columns =
-        at_place(words.names, [&] { return robot::JointColumns(names, robot, robot::JointUnits::radians); });
-    PointReader reader(names.size(), columns, trajectory);
+    const auto columns_of = [&](std::span<const std::string> names) {
+        return at_place(words.names, [&] { return robot::JointColumns(names, robot, robot::JointUnits::radians); });
+    };
+    std::vector<std::string> names = at_place(words.names, [&] { return names_in(trajectory.content["joint_names"]); });
+    const std::size_t joints = names.size();
+    (void)columns_of(names); // a state alone is no path
+    const TrajectoryStart start = trajectory.is_recorded ? TrajectoryStart() : trajectory_start_in(json, robot);
+    const TrajectoryStart rest = start.without(names);
+    names.insert(names.end(), rest.joints.begin(), rest.joints.end());
+    const robot::JointColumns columns = columns_of(names);
+    PointReader reader(columns, joints, rest.values, trajectory);
     std::size_t number = 0;
     const auto points = [&]() -> const Json& { return entries_of(trajectory.content["points"]); };
     for (const Json& point : at_place(words.points, points))
         at_place(place_of(words, ++number), [&] { reader.read(point); });
     robot::ConfigurationRows rows = reader.finish();
+    names.resize(joints);
+    for (std::string& warning : start.warnings_about(names, reader.first()))
+        rows.warnings.push_back(std::move(warning));
     for (const std::string& warning : columns.warnings("joints"))
         rows.warnings.push_back(std::string(words.names) + ": " + warning);
+    for (std::size_t i = 0; i < rest.joints.size(); ++i)
+        if (columns.reads(joints + i))
+            rows.warnings.push_back(std::string(words.names) + ": " + io::in_quotes(rest.joints[i]) + " stays at " +
+                                    number_text(rest.values[i]) + ", its value in " + rest.key);
     return rows;
 }
 

@@ -112,7 +112,27 @@ void refuse_extension(std::string_view extension, const MeshFormats& formats) {
                        " are read: export the mesh as " + std::string(formats.for_export));
 }
 
+namespace {
+
+/// Whether the root element of a text of XML has this name. Declarations and comments may come before it.
+bool has_root(std::string_view text, std::string_view name) {
+    std::size_t begin = text.find('<');
+    while (begin != std::string_view::npos && begin + 1 < text.size() &&
+           (text[begin + 1] == '?' || text[begin + 1] == '!')) {
+        const std::size_t end = text.find(text.substr(begin).starts_with("<!--") ? "-->" : ">", begin);
+        begin = end == std::string_view::npos ? end : text.find('<', end);
+    }
+    if (begin == std::string_view::npos || !text.substr(begin + 1).starts_with(name))
+        return false;
+    const std::string_view rest = text.substr(begin + 1 + name.size());
+    return rest.empty() || std::string_view(" \t\r\n/>").find(rest.front()) != std::string_view::npos;
+}
+
+} // namespace
+
 void refuse_other_content(std::string_view bytes, std::string_view extension, const MeshFormats& formats) {
+    if (extension == ".xml" && has_root(bytes, "robot"))
+        throw InvalidInput("is a robot, not a mesh: name it .urdf; " + std::string(formats.robots) + " reads it");
     if (bytes.starts_with("\x1F\x8B"))
         throw InvalidInput("is compressed by gzip; unpack it first");
     if (bytes.starts_with("PK\x03\x04") && extension != ".3mf")

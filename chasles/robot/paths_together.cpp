@@ -102,7 +102,7 @@ std::vector<double> stamps_of(const Members& members) {
             for (const Segment& segment : member.path->segments())
                 stamps.insert(stamps.end(), {segment.begin, segment.end});
     if (stamps.empty())
-        refuse_path("", "no robot of the cell has a path: for a cell at rest, JointPath::straight takes its "
+        refuse_path("", "no robot of the cell has a path: for a cell at rest, make a straight path of its "
                         "configuration twice");
     std::ranges::sort(stamps);
     const auto repeated = std::ranges::unique(stamps);

@@ -234,9 +234,13 @@ double UrdfReader::limit(const XmlElement& element, const char* attribute) const
 
 /// Limits in the wrong order are a way to say that there are none.
 void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) {
+    const XmlElement* const given = file_.child(element, "limit");
+    const bool has_several_variables = joint.type == JointType::planar || joint.type == JointType::floating;
+    if (has_several_variables && given && (given->Attribute("lower") || given->Attribute("upper")))
+        warnings_.push_back(file_.place_of(element) +
+                            "limit: lower and upper are not read: the joint has several variables, without limits");
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
         return;
-    const XmlElement* const given = file_.child(element, "limit");
     if (!given)
         file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
                                                               : "has no <limit>");

@@ -67,7 +67,7 @@ def first_contact_parquet(
     Each row group of the motions is a partition. `first_contact_batch` answers it with ``errors="mark"``, and its
     results become one file in `out`. A run skips the partitions that an earlier run finished, so it resumes a run that
     was interrupted or lost its cluster. A file of results that a crash has damaged is written anew. A folder with
-    results for other bodies, motions or options is refused. If a worker is killed, other workers repeat the partitions
+    results for other bodies, motions or options is refused: the results of a partition hold a digest of its rows. If a worker is killed, other workers repeat the partitions
     that it was working on.
 
     Parameters
@@ -177,11 +177,18 @@ def _run(
     partitions = partitions_of(files, question)
     manifest = manifest_of(question, files)
     prepare(folder, question, manifest)
-    waiting = [partition for partition in partitions if not is_done(partition, folder)]
+    waiting = [partition for partition in partitions if not is_done(partition, folder, question)]
+    finished = len(partitions) - len(waiting)
     with _bar(workers.progress, sum(partition.rows for partition in waiting), question.rows) as bar:
-        for done in workers.answer(waiting, folder, json.dumps(manifest)):
-            if bar is not None:
-                bar.update(done)
+        try:
+            for done in workers.answer(waiting, folder, json.dumps(manifest)):
+                finished += 1
+                if bar is not None:
+                    bar.update(done)
+        except KeyboardInterrupt:  # not the table of one partition, which is lost
+            raise KeyboardInterrupt(
+                f"{finished} of {len(partitions)} partitions are finished; the same call again answers the others"
+            ) from None
     for file in folder.iterdir():
         if file.name.startswith(UNFINISHED):  # left by workers that were killed
             file.unlink(missing_ok=True)

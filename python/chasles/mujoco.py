@@ -25,7 +25,7 @@ from .articles import with_article
 from .mujoco_audit import Audit, Question, audit_of
 from .mujoco_pairs import Geoms, geoms_of
 from .mujoco_shapes import CURVED, Array, inset_of, kind_of, shape_of
-from .mujoco_tree import joints_of, place_of_geom, reach_of, values_of
+from .mujoco_tree import joints_of, numbers_of, place_of_geom, reach_of, values_of
 
 __all__ = ["Audit", "audit", "configurations", "robot", "untested"]
 
@@ -157,7 +157,7 @@ def audit(
         As `robot` and `configurations`; for times that do not ascend, and for values beyond 1000.
     """
     _check(model, allowed_overlap, meshes, deviation)
-    states = np.asarray(qpos, np.float64)
+    states = numbers_of(qpos, "qpos")
     if states.ndim != 2 or len(states) < 2:
         raise InvalidInput(f"qpos: the shape is {states.shape}; (states, {model.nq}) with two states or more is needed")
     geoms = geoms_of(model, leave_out)

@@ -111,11 +111,18 @@ def _pose(position: Any, quaternion: Any) -> list[float]:
     return [*map(float, position), *map(float, quaternion)]
 
 
-def _rows(given: npt.ArrayLike, name: str, shape: tuple[int, ...]) -> Array:
+def numbers_of(given: npt.ArrayLike, name: str) -> Array:
+    """An array of numbers. Refuses an MjData, whose `qpos` is meant."""
+    if type(given).__name__ == "MjData":
+        raise InvalidInput(f"{name}: is an MjData; give arrays of its numbers, such as a copy of its qpos for each state")
     try:
-        array = np.asarray(given, np.float64)
+        return np.asarray(given, np.float64)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"{name}: not an array of numbers: {error}") from None
+
+
+def _rows(given: npt.ArrayLike, name: str, shape: tuple[int, ...]) -> Array:
+    array = numbers_of(given, name)
     if array.shape[-len(shape) :] != shape or array.ndim not in (len(shape), len(shape) + 1):
         raise InvalidInput(f"{name}: the shape is {array.shape}; {shape}, or (states, {str(shape)[1:]} is needed")
     return array

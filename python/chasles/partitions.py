@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from ._core import InvalidInput, __version__
 from .extras import extra
-from .questions import GOAL_COLUMNS, START_COLUMNS, Question
+from .questions import GOAL_COLUMNS, START_COLUMNS, Question, numbers_of
 
 with extra("distributed", "chasles.distributed"):
     import pyarrow as pa
@@ -31,6 +31,7 @@ __all__ = ["GOAL_COLUMNS", "START_COLUMNS", "Partition"]
 
 MANIFEST = "_manifest.json"  # readers of data sets ignore names that begin with an underscore
 QUESTION = "_question.pickle"
+ROWS_DIGEST = b"chasles.rows"  # in the metadata of a file of results
 UNFINISHED = (".part-", f".{MANIFEST}.", f".{QUESTION}.")  # how the names of files begin that are being written
 
 
@@ -95,7 +96,8 @@ def _check_columns(place: str, schema: pa.Schema, names: list[str]) -> None:
 
 
 def manifest_of(question: Question, files: list[pathlib.Path]) -> dict[str, Any]:
-    """All inputs of the results. A file is identified by its size and its metadata, so it is not read whole."""
+    """All inputs of the results. A file is identified by its size and its metadata, so it is not read whole; the results
+    of a partition have the digest of its rows."""
     return {
         "chasles": __version__,
         **question.identity(),
@@ -166,19 +168,39 @@ def _question(out: pathlib.Path, digest: str) -> Question:
 
 def answer_partition(partition: Partition, out: pathlib.Path, digest: str, threads: int) -> int:
     """Answers the rows of a partition, unless that is done, and returns their number."""
-    if not is_done(partition, out):
+    question = _question(out, digest)
+    if not is_done(partition, out, question):
         rows = _rows(partition)
-        table = _question(out, digest).answer(rows, threads)
-        write_whole(out / partition.name, _parquet(results_of(table, _ids(rows, partition))))
+        table = question.answer(rows, threads)
+        results = results_of(table, _ids(rows, partition))
+        results = results.replace_schema_metadata({ROWS_DIGEST: _digest_of(rows, question)})
+        write_whole(out / partition.name, _parquet(results))
     return partition.rows
 
 
-def is_done(partition: Partition, out: pathlib.Path) -> bool:
-    """Whether there is a whole file with the results of the partition. A damaged one is written anew."""
+def is_done(partition: Partition, out: pathlib.Path, question: Question) -> bool:
+    """Whether there is a whole file with the results of the partition. A damaged one is written anew. Raises InvalidInput
+    for results of rows that have changed since."""
     try:
-        return pq.read_metadata(out / partition.name).num_rows == partition.rows
+        results = pq.read_metadata(out / partition.name)
     except (OSError, pa.ArrowException):
         return False
+    digest = (results.metadata or {}).get(ROWS_DIGEST)
+    if results.num_rows != partition.rows or digest is None:
+        return False
+    if digest != _digest_of(_rows(partition), question):
+        place = f"{partition.file}: row group {partition.row_group}"
+        raise InvalidInput(f"out: {out}: has results for other {question.rows}: {place}: has changed since; name a new folder")
+    return True
+
+
+def _digest_of(rows: pa.Table, question: Question) -> bytes:
+    """Of all that the results of these rows depend on."""
+    digest = hashlib.sha256(numbers_of(rows, question.columns).tobytes())
+    if "id" in rows.column_names:
+        ids = rows["id"].to_numpy()
+        digest.update(repr(ids.tolist()).encode() if ids.dtype == object else ids.tobytes())
+    return digest.hexdigest().encode()
 
 
 def _rows(partition: Partition) -> pa.Table:

@@ -184,6 +184,19 @@ constexpr const char* clear_box_doc =
 #define CHASLES_RANGE_OPTIONS                                                                                          \
     "tolerance: float = 0.01, seconds: float = 60.0, threads: int = 0, most_cells: int = 1000000"
 
+/// The ends of a variable without limits stand in the arrays, not in an argument.
+ConfigurationBox box_with_way_out(const PythonRobot& robot, const std::vector<std::string>& joints,
+                                  const Configuration& configuration) {
+    try {
+        return box_of_joints(robot, joints, configuration);
+    } catch (const InvalidInput& error) {
+        const std::string why = error.what();
+        throw InvalidInput(why + (why.ends_with("give the ends of its range")
+                                      ? ": leave it out here, and set them in the arrays lower and upper that come back"
+                                      : ""));
+    }
+}
+
 } // namespace
 
 void bind_robot_ranges(nb::class_<PythonRobot>& type, nb::module_& module) {
@@ -192,7 +205,7 @@ void bind_robot_ranges(nb::class_<PythonRobot>& type, nb::module_& module) {
     type.def(
             "box_of_joints",
             [](const PythonRobot& robot, const std::vector<std::string>& joints, nb::handle configuration) {
-                const ConfigurationBox box = box_of_joints(
+                const ConfigurationBox box = box_with_way_out(
                     robot, joints,
                     configuration.is_none() ? robot.neutral() : configuration_from(configuration, "configuration"));
                 return nb::make_tuple(array_of(box.lower), array_of(box.upper));

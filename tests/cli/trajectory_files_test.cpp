@@ -264,7 +264,8 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"joint_names: [shoulder, elbow]\npoints: [" + point + ", " + point + "," + point +
              ", {positions: [0, 1], "
              "time_from_start: {seconds: 1}}]\n",
-         "points: point 4: time_from_start: has no sec, no secs, no nanosec and no nsecs"},
+         "points: point 4: time_from_start: unknown key 'seconds'; a time has sec or secs, and nanosec, nanosecs, nsec "
+         "or nsecs"},
         {"joint_names: [shoulder, elbow]\npoints: [{positions: [0, 0], time_from_start: 1}, {positions: [0, 1], "
          "time_from_start: 1}]\n",
          "points: point 2: time_from_start: must increase, but is 1 after 1"},

@@ -77,7 +77,8 @@ TEST_F(MeshFiles, NameWhatReadsFilesOfRobots) {
         {"a.urdf.xacro", "xacro FILE > robot.urdf"},
         {"a.srdf", "--srdf FILE"},
         {"a.sdf", "files of SDF (SDFormat) are not read"},
-        {"a.xml", "models of MuJoCo (MJCF) are not read"},
+        {"a.xml", "is a robot, not a mesh: name it .urdf; `chasles robot` or, in Python, `Robot.load` reads it"},
+        {"a.mjcf", "models of MuJoCo (MJCF) are not read"},
         {"a.yaml", "--path FILE"},
         {"a.yml", "--path FILE"},
     };
@@ -85,6 +86,16 @@ TEST_F(MeshFiles, NameWhatReadsFilesOfRobots) {
         EXPECT_TRUE(message(name, "<robot/>").starts_with(name + ": ")) << message(path(name));
         EXPECT_NE(message(name, "<robot/>").find(way_out), std::string::npos) << message(path(name));
     }
+}
+
+/// The root element says which program's model it is.
+TEST_F(MeshFiles, TellRobotsInXmlFromModelsOfMuJoCo) {
+    for (const char* const text :
+         {"<?xml version='1.0'?>\n<!-- <mujoco> -> -->\n<robot name='a'>", "<robot\n name='a'>"})
+        EXPECT_NE(message("a.xml", text).find("name it .urdf"), std::string::npos) << text;
+    for (const char* const text :
+         {"<mujoco><!-- <robot/> --></mujoco>", "<!-- <robot/> --><mujoco/>", "<robots/>", "<!--", "<", ""})
+        EXPECT_NE(message("a.xml", text).find("models of MuJoCo (MJCF) are not read"), std::string::npos) << text;
 }
 
 TEST_F(MeshFiles, NamesWhatIsReadForOtherFormats) {

@@ -90,6 +90,52 @@ def test_results_of_another_question_are_refused(cube, tmp_path):
         distributed.first_contact_parquet(cube, cube, motions, tmp_path)
 
 
+@pytest.mark.parametrize("change", ["order", "id", "value"])
+def test_rows_that_changed_in_a_file_of_the_same_size_are_refused(cube, tmp_path, change):
+    """Neither the size of the file nor its metadata differ then; the results of the first partition are still true."""
+    motions, out = tmp_path / "motions.parquet", tmp_path / "out"
+    table = write_motions(motions, 40, 20, list(range(40)))
+
+    def write(table: pa.Table) -> int:
+        pq.write_table(table, motions, row_group_size=20, use_dictionary=False, compression="none", write_statistics=False)
+        return motions.stat().st_size
+
+    size = write(table)
+    distributed.first_contact_parquet(cube, cube, motions, out)
+    before = results(out)
+    if change == "order":
+        changed = pa.concat_tables([table.slice(0, 20), table.slice(20, 20).take(list(range(20))[::-1])])
+    else:
+        column = "id" if change == "id" else "x1"
+        values = table[column].to_numpy().copy()
+        values[33] += 1
+        changed = table.set_column(table.column_names.index(column), column, pa.array(values))
+    assert write(changed) == size
+    with pytest.raises(chasles.InvalidInput, match="other motions: .*row group 1: has changed since; name a new folder"):
+        distributed.first_contact_parquet(cube, cube, motions, out)
+    assert results(out).equals(before)
+    write(table)
+    assert distributed.first_contact_parquet(cube, cube, motions, out).already_done == 2
+
+
+def test_an_interruption_names_the_way_on(cube, tmp_path, monkeypatch):
+    write_motions(tmp_path / "motions.parquet", 60, 20)
+    answer = distributed.answer_partition
+
+    def interrupted(partition, *arguments):
+        if partition.index == 1:
+            raise chasles.BatchInterrupted(chasles.first_contact_batch(cube, cube, *random_motions(1)))
+        return answer(partition, *arguments)
+
+    monkeypatch.setattr(distributed, "answer_partition", interrupted)
+    arguments = cube, cube, tmp_path / "motions.parquet", tmp_path / "out"
+    message = "^1 of 3 partitions are finished; the same call again answers the others$"
+    with pytest.raises(KeyboardInterrupt, match=message):
+        distributed.first_contact_parquet(*arguments)
+    monkeypatch.undo()
+    assert distributed.first_contact_parquet(*arguments).already_done == 1
+
+
 def cut(file: pathlib.Path, size: int) -> None:
     file.write_bytes(file.read_bytes()[:size])
 

@@ -225,7 +225,7 @@ TEST(PathsTogether, RefuseWhatIsNoPathOfTheCell) {
     EXPECT_EQ(refused({{"a", path}, {"b", place}}), "path: configuration 0: b/float/rot_x: the quaternion is zero");
     place[6] = 1;
     EXPECT_EQ(refused({{"a", zero}, {"b", place}}),
-              "path: no robot of the cell has a path: for a cell at rest, JointPath::straight takes its configuration "
+              "path: no robot of the cell has a path: for a cell at rest, make a straight path of its configuration "
               "twice");
     RobotDescription renamed = robot.description();
     renamed.joints[1].type = JointType::revolute;

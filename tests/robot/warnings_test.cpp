@@ -107,6 +107,16 @@ TEST_F(RobotWarnings, LimitsInTheWrongOrderAreNone) {
     EXPECT_EQ(Robot(robot).neutral()[0], 0);
 }
 
+TEST_F(RobotWarnings, LimitsOfJointsWithSeveralVariablesAreNotRead) {
+    for (const char* const type : {"planar", "floating"}) {
+        const RobotDescription robot = read("revolute", type);
+        ASSERT_EQ(robot.warnings.size(), 1U) << type;
+        EXPECT_EQ(without_folder(robot.warnings[0]),
+                  "robot.urdf:7: <joint turn>: limit: lower and upper are not read: the joint has several variables, "
+                  "without limits");
+    }
+}
+
 TEST_F(RobotWarnings, AJointThatFollowsNoneIsNamed) {
     const RobotDescription robot = read("<axis xyz=\"0 0 2\"/>", "<axis xyz=\"0 0 2\"/><mimic joint=\"knee\"/>");
     ASSERT_EQ(robot.warnings.size(), 1U);
