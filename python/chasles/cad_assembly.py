@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
 
 from ._core import InvalidInput, Polyhedron, Robot
 from .cad_bounds import Array
@@ -103,10 +105,14 @@ class Assembly:
         self.parts: dict[str, Part] = {}
         self.joints: list[Joint] = []
         self.assemblies: list[str] = []
+        self.warnings: list[str] = []
         known: dict[int, tuple[Tessellation, Any]] = {}
         for path, node, place in walk(root):
             if node.shape is None:
                 self.assemblies.append(path)
+                continue
+            if not TopExp_Explorer(node.shape, TopAbs_ShapeEnum.TopAbs_FACE).More():
+                self.warnings.append(f"{path}: has no faces, only curves or points, and is left out")
                 continue
             key = hash(node.shape)
             if key not in known or not known[key][1].IsSame(node.shape):

@@ -12,7 +12,7 @@ import numpy as np
 from ._core import InvalidInput
 from .cad_assembly import WORLD, Assembly, turn
 from .cad_bounds import Array
-from .cad_tree import Node, matrix_of, walk, without_place
+from .cad_tree import Node, matrix_of, split, walk, without_place
 
 _SAME = 1e-7  # of the size: poses of build123d and of the axes found here agree to rounding, others are off by far more
 
@@ -34,6 +34,7 @@ def tree_of(thing: Any) -> Node:
     if not node.children:
         node.shape = without_place(thing.wrapped)
         node.name = node.name or type(thing).__name__
+        split(node)
     return node
 
 

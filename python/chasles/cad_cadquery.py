@@ -12,7 +12,7 @@ import numpy as np
 from ._core import InvalidInput
 from .cad_assembly import WORLD, Assembly, turn
 from .cad_bounds import Array
-from .cad_tree import Colour, Node, matrix_of, walk, without_place
+from .cad_tree import Colour, Node, matrix_of, split, walk, without_place
 
 _FREE = 1e-6  # of the largest singular value: CadQuery's solver leaves residuals of some 1e-8
 _OFF = 1e-4  # of the size: what constraints may be off after a finite step along a freedom
@@ -39,6 +39,9 @@ def tree_of(thing: Any, inherited: Colour | None = None) -> Node:
             node.shape = without_place(whole.wrapped)
         else:  # the shape has a place of its own within the part
             node.children.append(Node("shape", place, node.colour, without_place(whole.wrapped)))
+        for part in [node, *node.children]:
+            if part.shape is not None:
+                split(part)
     node.children += [tree_of(child, colour) for child in thing.children]
     return node
 

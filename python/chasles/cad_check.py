@@ -67,7 +67,7 @@ def check(
         parts=assembly.parts,
         intended=sorted(meant),
         allowed_overlap=allowed_overlap,
-        warnings=warnings,
+        warnings=[*assembly.warnings, *warnings],
         assembly=assembly,
     )
     try:

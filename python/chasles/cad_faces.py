@@ -16,13 +16,13 @@ from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.GeomAbs import GeomAbs_CurveType, GeomAbs_SurfaceType
 from OCP.GeomConvert import GeomConvert
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
-from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
 
 from . import cad_bounds as bounds
 from ._core import InvalidInput
 from .cad_bounds import Array, Triangles
+from .cad_tree import explored
 
 # The casts have other names before OCP 8.
 _as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
@@ -56,7 +56,7 @@ def tessellate(shape: Any, deflection: float, angle: float) -> Tessellation:
     BRepMesh_IncrementalMesh(shape, deflection, False, angle, True)
     nodes = _Nodes()
     triangles, curved, bound, kinds = [], [], 0.0, collections.Counter()
-    faces = [_Face(_as_face(face), nodes) for face in _explored(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
+    faces = [_Face(_as_face(face), nodes) for face in explored(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
     if not faces:
         raise InvalidInput("has no faces")
     is_covered = {edge for face in faces if face.kind != "plane" for edge in face.bent}
@@ -152,7 +152,7 @@ class _Face:
     def _edges(self, face: Any, nodes: _Nodes, first: int) -> tuple[float, bool]:
         """How far edges are from their chords at most, and whether each one follows a parameter line."""
         chords, is_along = 0.0, True
-        for shape in _explored(face, TopAbs_ShapeEnum.TopAbs_EDGE):
+        for shape in explored(face, TopAbs_ShapeEnum.TopAbs_EDGE):
             edge = _as_edge(shape)
             polygon = BRep_Tool.PolygonOnTriangulation_s(edge, self.mesh, self.place)
             if polygon is None:
@@ -251,13 +251,6 @@ def _poles(curve: Any, stamps: list[float]) -> Iterator[Array]:
         part = GeomConvert.SplitBSplineCurve_s(curve, min(start, end), max(start, end), 1e-12)
         found = [part.Pole(i) for i in range(1, part.NbPoles() + 1)]
         yield np.array([(p.X(), p.Y(), p.Z()) for p in found])
-
-
-def _explored(shape: Any, kind: Any) -> Iterator[Any]:
-    explorer = TopExp_Explorer(shape, kind)
-    while explorer.More():
-        yield explorer.Current()
-        explorer.Next()
 
 
 def _number_of(edge: Any) -> Any:

@@ -15,7 +15,7 @@ from .batch import first_contact_batch
 from .cad_assembly import Part
 from .cad_bounds import Array
 
-MOST = 600  # points of each part that are tried, those nearest to the contact
+MOST = 200  # points of each part that are tried, those nearest to the contact
 STEPS = 40  # steps and halvings of the search for a value
 _NARROW = 1e-3  # of the way to the first value that is proven: where the search for an earlier one ends
 

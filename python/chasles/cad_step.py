@@ -17,7 +17,7 @@ from OCP.TDocStd import TDocStd_Document
 from OCP.XCAFDoc import XCAFDoc_ColorTool, XCAFDoc_ColorType, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from ._core import InvalidInput
-from .cad_tree import Colour, Node, matrix_of, without_place
+from .cad_tree import Colour, Node, matrix_of, split, without_place
 
 
 def read_step(path: str | os.PathLike[str]) -> Node:
@@ -57,7 +57,18 @@ def _node(label: Any, colours: Any, inherited: Colour | None) -> Node:
     else:
         node.shape = without_place(shape)
         node.colour = colour or next(filter(None, (_colour(child, colours) for child in _children(source))), None)
+        split(node)
+        for child in node.children:
+            _take_names(child, source, colours)
     return node
+
+
+def _take_names(solid: Node, source: Any, colours: Any) -> None:
+    """The name and the colour of one solid of a part, where the file has them."""
+    for label in _children(source):
+        if XCAFDoc_ShapeTool.GetShape_s(label).IsPartner(solid.shape):
+            solid.name = _name(label) or solid.name
+            solid.colour = _colour(label, colours) or solid.colour
 
 
 def _children(label: Any) -> Iterator[Any]:
@@ -68,10 +79,14 @@ def _children(label: Any) -> Iterator[Any]:
 
 
 def _name(label: Any) -> str:
+    if not label.IsAttribute(TDataStd_Name.GetID_s()):
+        return ""  # FindAttribute ends the process then
     name = TDataStd_Name()
-    if not label.FindAttribute(TDataStd_Name.GetID_s(), name):
+    label.FindAttribute(TDataStd_Name.GetID_s(), name)
+    if name.Get().IsEmpty():
         return ""
-    return str(name.Get().ToExtString()).strip()
+    text = str(name.Get().ToExtString()).strip()
+    return "" if text.startswith("=>[") else text  # OCCT's own name of an instance without one
 
 
 def _colour(label: Any, colours: Any) -> Colour | None:

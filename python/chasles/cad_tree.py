@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 
 from ._core import InvalidInput
@@ -41,6 +43,25 @@ def walk(node: Node, above: str = "", place: Array | None = None) -> Iterator[tu
             name = f"{plain}_{count}"
         used.add(name)
         yield from walk(child, f"{above}/{name}" if above else name, place)
+
+
+def split(node: Node) -> None:
+    """Make an assembly of a part that is several solids, and of nothing else: each solid is a part."""
+    solids = list(explored(node.shape, TopAbs_ShapeEnum.TopAbs_SOLID))
+    others = TopExp_Explorer(node.shape, TopAbs_ShapeEnum.TopAbs_FACE, TopAbs_ShapeEnum.TopAbs_SOLID)
+    if len(solids) > 1 and not others.More():
+        node.children = [
+            Node(f"solid {number + 1}", matrix_of(solid.Location()), node.colour, without_place(solid)) for number, solid in enumerate(solids)
+        ]
+        node.shape = None
+
+
+def explored(shape: Any, kind: Any) -> Iterator[Any]:
+    """All faces, edges, solids or the like of a shape, in order; those that several share come several times."""
+    explorer = TopExp_Explorer(shape, kind)
+    while explorer.More():
+        yield explorer.Current()
+        explorer.Next()
 
 
 def matrix_of(location: Any) -> Array:
