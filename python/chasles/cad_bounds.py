@@ -76,6 +76,11 @@ def arcs(radius: float, parameters: Array) -> float:
     return float(radius * (1 - np.cos(half))) if half <= np.pi / 2 else float("inf")
 
 
+def bent(parameters: Array, bends: Array) -> float:
+    """Of chords of any curve between these parameters, where `bends` bounds the second derivative between each two: Taylor's formula."""
+    return float((np.diff(parameters) ** 2 * bends).max(initial=0.0) / 8)
+
+
 def poles(start: Array, end: Array, points: Array) -> float:
     """How far points, in whose hull a curve lies, are from the segment between its ends."""
     way = end - start

@@ -186,8 +186,15 @@ class _Face:
             return off + bounds.arcs(curve.Circle().Radius(), np.array(stamps)), False
         if curve.GetType() == kind.GeomAbs_Ellipse:
             return off + bounds.arcs(curve.Ellipse().MajorRadius(), np.array(stamps)), False
-        if curve.GetType() == kind.GeomAbs_BSplineCurve:
-            return off + max(map(bounds.poles, true[:-1], true[1:], _poles(curve.BSpline(), stamps))), False
+        if curve.GetType() == kind.GeomAbs_Parabola:
+            return off + bounds.bent(np.array(stamps), np.full(len(stamps) - 1, 0.5 / curve.Parabola().Focal())), False
+        if curve.GetType() == kind.GeomAbs_Hyperbola:
+            shape, far = curve.Hyperbola(), np.maximum(np.abs(stamps[:-1]), np.abs(stamps[1:]))
+            return off + bounds.bent(np.array(stamps), np.hypot(shape.MajorRadius() * np.cosh(far), shape.MinorRadius() * np.sinh(far))), False
+        if curve.GetType() in (kind.GeomAbs_BSplineCurve, kind.GeomAbs_BezierCurve):
+            is_spline = curve.GetType() == kind.GeomAbs_BSplineCurve
+            spline = curve.BSpline() if is_spline else GeomConvert.CurveToBSplineCurve_s(curve.Bezier())
+            return off + max(map(bounds.poles, true[:-1], true[1:], _poles(spline, stamps))), False
         self.kind = "free-form" if self.kind != "plane" else "plane with free-form edges"
         return self.deflection, False
 
