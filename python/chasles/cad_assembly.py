@@ -150,7 +150,7 @@ class Assembly:
     @property
     def rest(self) -> Array:
         """The configuration of `robot()` in which the assembly is mounted."""
-        return np.array([joint.value for joint in self.joints if joint.type in MOVING and joint.follows is None])
+        return np.array([joint.value for joint in self.joints if joint.type in MOVING and joint.follows is None], np.float64)
 
     def robot(self, *, allowed_overlap: float = 0.0, left_out: Iterable[tuple[str, str]] = ()) -> Robot:
         """The assembly as a robot: each part is a link of its name, and all pairs that a joint moves against each other are tested.
@@ -187,6 +187,10 @@ class Assembly:
         moving: Collection[str] | None = None,
     ) -> Robot:
         """The robot whose parts have these bodies. With `moving`, all joints but these and their followers stay as mounted."""
+        known = {WORLD, *self.parts, *self.assemblies, *(joint.parent for joint in self.joints)}
+        for joint in self.joints:
+            if joint.child not in known:
+                raise InvalidInput(f"joint {joint.name!r}: {joint.child!r} is no part of the assembly, and carries none")
         groups = self._groups()
         still = {joint.name for joint in self.joints if moving is not None and joint.name not in moving}
         still -= {joint.name for joint in self.joints if joint.follows is not None and joint.follows[0] not in still}
@@ -302,10 +306,8 @@ def _check(joint: Joint, joints: list[Joint], paths: set[str]) -> None:
     where = f"joint {joint.name!r}"
     if joint.type not in (*MOVING, "fixed"):
         raise InvalidInput(f"{where}: type: must be 'revolute', 'prismatic' or 'fixed', not {joint.type!r}")
-    known = paths | {WORLD} | {other.child for other in joints}
-    for end in (joint.parent, joint.child):
-        if end not in known:
-            raise InvalidInput(f"{where}: {end!r} is no part of the assembly; its parts are {', '.join(sorted(paths))}")
+    if joint.parent not in paths | {WORLD} | {other.child for other in joints}:
+        raise InvalidInput(f"{where}: {joint.parent!r} is no part of the assembly; its parts are {', '.join(sorted(paths))}")
     if sum(other.name == joint.name for other in joints) > 1:
         raise InvalidInput(f"{where}: comes twice")
     if sum(other.child == joint.child for other in joints) > 1:

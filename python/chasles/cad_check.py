@@ -17,6 +17,9 @@ from .cad_proof import Overlap, first_proven
 from .cad_report import Clearance, JointRange, PairRange, Report, Stop, Touch
 
 LARGEST = 1000.0  # the values of robots end here
+SAMPLES = 25  # places of a joint at which the distance is computed
+MARGINS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.99)  # shares of the least one that was found; the last one after a smaller one was found
+LEAST_SECONDS = 2.0  # of each joint: the least distance is a number beside the verdict
 _QUARTER = np.pi / 2  # straight paths of joints without limits take the shorter way
 
 
@@ -27,6 +30,7 @@ def check(
     ignore_touching: bool = False,
     allowed_overlap: float = 0.0,
     pairs: bool = True,
+    clearances: bool = True,
     tolerance: float = 0.01,
     seconds: float = 60.0,
 ) -> Report:
@@ -43,6 +47,8 @@ def check(
         Two parts that overlap by this much do not touch yet, mm.
     pairs : bool
         Whether each two joints are moved together, too.
+    clearances : bool
+        Whether the least clearance over the range of each joint is looked for, some seconds for each. Verdicts need none.
     tolerance : float
         Of pairs of joints: the search ends once a contact is known and no more than this share of the configurations is open.
     seconds : float
@@ -82,7 +88,7 @@ def check(
     if not joints:
         return report
     for joint in joints:
-        report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one())
+        report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one(clearances))
     for two in itertools.combinations(joints, 2) if pairs else ():
         report.pairs.append(_Ranges(assembly, two, bodies, meant | touching, allowed_overlap, end).of_two(tolerance))
     return report
@@ -117,7 +123,8 @@ def _at_rest(assembly: Assembly, bodies: Any, meant: set[tuple[str, str]], repor
         report.touching.append(_touch(assembly, first, second, bodies, allowed))
     robot, rest = assembly.loose(bodies, meant | {touch.pair for touch in report.touching})
     if len(robot.tested_pairs()) > 0:
-        report.least = _clearance(assembly, RobotChecker(robot).least_distance(rest, rest), {}, allowed)
+        near = RobotChecker(robot).least_distance(rest, rest, 1e-3)
+        report.least = _clearance(assembly, near, {}, allowed) if near.pair is not None else None
 
 
 def _touch(assembly: Assembly, first: str, second: str, bodies: Any, allowed: float) -> Touch:
@@ -167,7 +174,7 @@ class _Ranges:
         self.began = time.monotonic()
         self.robot = assembly.robot_of(bodies, left_out, moving={joint.name for joint in joints})
         values = {joint.name: joint.value for joint in joints}
-        self.rest = np.array([values[name] for name in self.robot.variables])
+        self.rest = np.array([values[name] for name in self.robot.variables], np.float64)
         self.index = {name: number for number, name in enumerate(self.robot.variables)}
 
     def left(self) -> float:
@@ -182,7 +189,7 @@ class _Ranges:
             raise InvalidInput(f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits")
         return lower, upper
 
-    def of_one(self) -> JointRange:
+    def of_one(self, clearances: bool) -> JointRange:
         """How far the joint goes from where it is mounted, to both sides, and how near anything comes on the way."""
         joint, checker = self.joints[0], RobotChecker(self.robot)
         lower, upper = self.limits(joint)
@@ -191,15 +198,47 @@ class _Ranges:
             stop = self.way(checker, joint, end)
             if stop is not None:
                 found.clear[side], found.stops[side] = stop.clear_until, stop
-        if not any(found.stops):
+        if clearances and not any(found.stops):
             path = np.concatenate([self.path(joint, lower)[::-1], self.path(joint, upper)[1:]])
-            with Limit(self.left()):
-                near = checker.least_distance_on_path(path) if len(path) > 1 else None
-            if near is not None and near.pair is not None:
-                where = {joint.name: float(near.configuration[self.index[joint.name]])} if near.configuration is not None else {}
-                found.least = _clearance(self.assembly, near, where, self.allowed)
+            found.least = self.least(checker, joint, path) if len(path) > 1 and self.robot.tested_pairs() else None
         found.seconds = time.monotonic() - self.began
         return found
+
+    def least(self, checker: RobotChecker, joint: Joint, path: Array) -> Clearance | None:
+        """The least distance on a path: below that of samples, and above the largest margin that is proven for the whole path.
+
+        Where one part turns within another one, the distance is the same all the way. There margins are proven much sooner than
+        a least distance is found.
+        """
+        end = time.monotonic() + min(self.left(), LEAST_SECONDS)
+        number, near, lower = self.index[joint.name], None, 0.0
+        for value in np.linspace(path[0, number], path[-1, number], SAMPLES):
+            near = self.nearer(near, checker, path[0], number, value, end)
+        for share in MARGINS:
+            if near is None or near.pair is None or not near.distance_upper > 0:
+                break
+            with Limit(max(end - time.monotonic(), 1e-3)):
+                found = RobotChecker(self.robot, margin=share * near.distance_upper).first_contact_on_path(path)
+            if found.verdict == "unknown":
+                break
+            if found.verdict == "clear":
+                lower = share * near.distance_upper
+            else:
+                near = self.nearer(near, checker, path[0], number, found.configuration[number], end)
+        if near is None or near.pair is None:
+            return None
+        found = _clearance(self.assembly, near, {joint.name: float(near.configuration[number])}, self.allowed)
+        found.lower = min(lower, near.distance)
+        return found
+
+    def nearer(self, near: Any, checker: RobotChecker, row: Array, number: int, value: float, end: float) -> Any:
+        """The nearest one so far, and that at another value."""
+        row = row.copy()
+        row[number] = value
+        with Limit(max(end - time.monotonic(), 1e-3)):
+            found = checker.least_distance(row, row, 1e-3)
+        is_nearer = found.pair is not None and found.contacts and (near is None or found.distance_upper < near.distance_upper)
+        return found if is_nearer else near
 
     def path(self, joint: Joint, end: float) -> Array:
         """Configurations from where the assembly is mounted; straight paths take the shorter way, so a turn is four."""

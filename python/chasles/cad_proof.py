@@ -15,9 +15,11 @@ from .batch import first_contact_batch
 from .cad_assembly import Part
 from .cad_bounds import Array
 
-MOST = 200  # points of each part that are tried, those nearest to the contact
-STEPS = 40  # steps and halvings of the search for a value
-_NARROW = 1e-3  # of the way to the first value that is proven: where the search for an earlier one ends
+MOST = 24  # edges of each part whose points are tried, those nearest to the contact
+ALONG = (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)  # flush parts have no depth at the ends of their edges
+_SHALLOW = 1e-7  # of the size: at a smaller depth, points of flush faces take an exact test each
+STEPS = 13  # of the search for a value, each four times as long as the one before
+_NARROW = 1e-2  # of the way to the first value that is proven: where the search for an earlier one ends
 
 
 class Overlap:
@@ -25,7 +27,8 @@ class Overlap:
 
     def __init__(self, parts: tuple[Part, Part], poses: tuple[Array, Array], place: Array) -> None:
         self.parts = parts
-        self.depth = sum(part.bound for part in parts) * (1 + 1e-9)
+        size = max(float(np.ptp(part.mesh.vertices, axis=0).max()) for part in parts)
+        self.depth = max(sum(part.bound for part in parts) * (1 + 1e-9), _SHALLOW * size)
         self.points = [_near(part, pose, place) for part, pose in zip(parts, poses, strict=True)]
 
     def is_proven(self, poses: tuple[Array, Array]) -> bool:
@@ -38,8 +41,7 @@ class Overlap:
 
 def first_proven(overlap: Overlap, poses_at: Callable[[float], tuple[Array, Array]], start: float, end: float) -> float | None:
     """A value between both at which the parts are proven to touch, soon after the start; None if none is found."""
-    step = (end - start) * 2.0**-STEPS
-    tried = [start + step * 2.0**count for count in range(STEPS + 1)]
+    tried = [start + (end - start) * 4.0 ** (count - STEPS) for count in range(STEPS + 1)]
     after = next((count for count, value in enumerate(tried) if overlap.is_proven(poses_at(value))), None)
     if after is None:
         return None
@@ -51,14 +53,15 @@ def first_proven(overlap: Overlap, poses_at: Callable[[float], tuple[Array, Arra
 
 
 def _near(part: Part, pose: Array, place: Array) -> Array:
-    """Points of the triangles in the part's frame: vertices, and the points of edges nearest to a place in the world."""
+    """Points of the triangles in the part's frame, along the edges nearest to a place in the world: the nearest one, and others."""
     at = pose[:3, :3].T @ (place - pose[:3, 3])
     vertices = part.mesh.vertices
     edges = _edges(part.mesh)
     start, way = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
     share = np.clip(np.einsum("ij,ij->i", at - start, way) / np.maximum(np.einsum("ij,ij->i", way, way), 1e-300), 0, 1)
-    points = np.concatenate([vertices, start + share[:, None] * way])
-    return points[np.argsort(np.linalg.norm(points - at, axis=1), kind="stable")[:MOST]]
+    order = np.argsort(np.linalg.norm(start + share[:, None] * way - at, axis=1), kind="stable")[:MOST]
+    shares = np.concatenate([[share[order]], np.tile(ALONG, (len(order), 1)).T])
+    return np.concatenate([start[order] + each[:, None] * way[order] for each in shares])
 
 
 def _edges(body: Polyhedron) -> Array:
@@ -74,7 +77,7 @@ def _is_deep(points: Array, pose: Array, part: Part, depth: float) -> bool:
     if len(moved) == 0 or part.mesh.report.solid_parts == 0:
         return False
     places = np.column_stack([moved, np.tile([1.0, 0, 0, 0], (len(moved), 1))])
-    ball = sphere(max(depth, 1e-12))
+    ball = sphere(depth)
     inside = first_contact_batch(ball, part.mesh, places, places, find="any")["verdict"] != "clear"
     surface = Polyhedron(vertices, part.mesh.faces, solid="no")
     is_apart = first_contact_batch(ball, surface, places[inside], places[inside], find="any")["verdict"] == "clear"

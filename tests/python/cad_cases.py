@@ -45,7 +45,7 @@ def gears():
 def pin_in_clevis(radius=4.9):
     """A pin in a bore of 5 mm."""
     eye = cs.cut(cs.box(20, 20, 8, (-10, -10, 0)), cs.cylinder(5, 8))
-    made = cs.assembly(clevis=eye, pin=cs.cylinder(radius, 12, (0, 0, -2)), deflection=0.002)
+    made = cs.assembly(clevis=eye, pin=cs.cylinder(radius, 12, (0, 0, -2)), deflection=0.01)
     made.add_joint("pin", "revolute", "world", "pin")
     return made, (None, None)
 
@@ -53,7 +53,7 @@ def pin_in_clevis(radius=4.9):
 def socket():
     """A ball of 4.9 mm in a socket of 5 mm, with three turns."""
     cup = cs.cut(cs.box(14, 14, 7, (-7, -7, -7)), cs.ball(5))
-    made = cs.assembly(cup=cup, ball=cs.fuse(cs.ball(4.9), cs.cylinder(1, 12)), deflection=0.005)
+    made = cs.assembly(cup=cup, ball=cs.fuse(cs.ball(4.9), cs.cylinder(1, 12)), deflection=0.02)
     for number, (axis, parent, child) in enumerate(
         [((1, 0, 0), "world", "first"), ((0, 1, 0), "first", "second"), ((0, 0, 1), "second", "ball")]
     ):
@@ -64,7 +64,7 @@ def socket():
 def valve():
     """A cone of 45 degrees, 5 mm above its seat, that comes down to it."""
     seat = cs.cut(cs.box(40, 40, 10, (-20, -20, 0)), cs.cone(5, 15, 10))
-    made = cs.assembly(seat=seat, plug=cs.cone(5, 14, 9, (0, 0, 5)), deflection=0.002)
+    made = cs.assembly(seat=seat, plug=cs.cone(5, 14, 9, (0, 0, 5)), deflection=0.005)
     made.add_joint("stem", "prismatic", "world", "plug", lower=-2, upper=20, value=5)
     return made, (0.0, None)
 
@@ -72,7 +72,7 @@ def valve():
 def ring():
     """A torus on a shaft slides to a shoulder of 9 mm, whose rim meets the circle of the torus."""
     shaft = cs.fuse(cs.cylinder(7, 40), cs.cylinder(9, 5, (0, 0, -5)))
-    made = cs.assembly(shaft=shaft, ring=cs.torus(10, 2, (0, 0, 10)), deflection=0.002)
+    made = cs.assembly(shaft=shaft, ring=cs.torus(10, 2, (0, 0, 10)), deflection=0.01)
     made.add_joint("slide", "prismatic", "world", "ring", lower=0, upper=30, value=10)
     return made, (np.sqrt(3), None)
 
