@@ -106,11 +106,11 @@ def test_the_command(step, tmp_path, capsys):
 def test_the_command_runs_programs(step, tmp_path, capsys):
     script = tmp_path / "model.py"
     text = f"import chasles.cad\nassembly = chasles.cad.load({str(step[0])!r})\n"
-    text += "assembly.add_joint('turn', 'revolute', 'world', 'pin here', point=(60, 0, 0), lower=-3, upper=3)\n"
+    text += "assembly.add_joint('turn', 'revolute', 'world', 'pin here', point=(45, 0, 0), lower=-3, upper=3)\n"
     script.write_text(text)
     assert main([str(script), "--json"]) == 1
     read = json.loads(capsys.readouterr().out)
-    assert read["joints"][0]["stops"][1]["pair"] == ["block here", "pin here"] or read["joints"][0]["verdict"] == "contact"
+    assert read["verdict"] == "contact" and ["block here", "pin here"] in [stop and stop["pair"] for stop in read["joints"][0]["stops"]]
     assert main([str(script), "--seconds", "0.00001"]) == 3
     script.write_text("raise KeyboardInterrupt\n")
     assert main([str(script)]) == 130
@@ -136,12 +136,12 @@ def arm():
     base, leaf, cart, knob, rod, cap = sizes.values()
     joints = {
         "hinge": RevoluteJoint("hinge", base, axis=Axis((30, 0, 2.5), (0, 1, 0.2)), angular_range=(0, 170)),
-        "rail": LinearJoint("rail", leaf, axis=Axis((0, 3, 2), (1, 0.3, 0)), linear_range=(-10, 20)),
+        "rail": LinearJoint("rail", leaf, axis=Axis((0, 3, 1.9), (1, 0.3, 0)), linear_range=(-10, 20)),
         "tube": CylindricalJoint("tube", base, axis=Axis((-10, 0, 2.5), (0.3, 0, 1)), linear_range=(0, 50), angular_range=(0, 360)),
         "socket": BallJoint("socket", base, joint_location=Location((0, 20, 3), (10, 20, 30))),
     }
     ends = {
-        "hinge": RigidJoint("r", leaf, Location((-20, 0, -2))),
+        "hinge": RigidJoint("r", leaf, Location((-19.9, 0, -1.9))),
         "rail": RigidJoint("r", cart, Location((0, 0, -2.5))),
         "tube": RigidJoint("r", rod, Location((0, 0, -15))),
         "socket": RigidJoint("r", knob, Location((0, 0, -3), (0, 40, 0))),
@@ -171,7 +171,7 @@ def test_poses_are_those_of_build123d():
     at_rest = dict(zip(robot.variables, assembly.rest))
     assert [round(at_rest[name], 9) for name in NAMES] == [round(v, 9) for v in [*np.radians([35]), 5, 12, *np.radians([77, 10, 20, 30])]]
     random, worst = np.random.default_rng(5), 0.0
-    for _ in range(1000):
+    for _ in range(1000 if LONG else 100):
         values = random.uniform([0, -10, 0, 0, 1, 1, 1], [170, 20, 50, 360, 80, 80, 80])
         try:
             move(*values)
@@ -191,8 +191,9 @@ def test_occt_refutes_nothing_at_random_poses():
     assembly = chasles.cad.load(model, deflection=0.02)
     robot = assembly.robot()
     checker, random, seen = chasles.RobotChecker(robot), np.random.default_rng(6), 0
-    lower, upper = (np.array([np.clip(v, -20, 50) for v in ends]) for ends in zip(*(robot.limits[name] for name in robot.variables)))
-    for _ in range(1000 if LONG else 25):
+    joints = {joint.name: joint for joint in assembly.joints}
+    lower, upper = np.array([(joints[name].lower, joints[name].upper) for name in robot.variables]).T
+    for _ in range(1000 if LONG else 15):
         row = random.uniform(lower, upper)
         poses = assembly.poses(robot, row)
         shapes = {name: cs.placed(part.shape, poses[name]) for name, part in assembly.parts.items()}
@@ -203,7 +204,7 @@ def test_occt_refutes_nothing_at_random_poses():
             assert distance > 1e-6 or {first, second} in found, (first, second, distance)
             assert distance < bounds + 1e-6 or {first, second} not in found, (first, second, distance)
             seen += distance == 0
-    assert seen > 10
+    assert seen > (500 if LONG else 8)
 
 
 @needs_build123d
