@@ -44,6 +44,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
 # Modules that are imported by their names, because they need further packages.
 MODULES = {
     "distributed": ("Dask and Parquet", "chasles.distributed"),
+    "cad": ("Assemblies of CAD", "chasles.cad"),
     "mujoco": ("Models and recordings of MuJoCo", "chasles.mujoco"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
     "policy": ("A gate for policies", "chasles.policy"),

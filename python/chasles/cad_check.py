@@ -19,7 +19,6 @@ from .cad_report import Clearance, JointRange, PairRange, Report, Stop, Touch
 LARGEST = 1000.0  # the values of robots end here
 SAMPLES = 25  # places of a joint at which the distance is computed
 MARGINS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.99)  # shares of the least one that was found; the last one after a smaller one was found
-LEAST_SECONDS = 2.0  # of each joint: the least distance is a number beside the verdict
 _QUARTER = np.pi / 2  # straight paths of joints without limits take the shorter way
 
 
@@ -30,7 +29,7 @@ def check(
     ignore_touching: bool = False,
     allowed_overlap: float = 0.0,
     pairs: bool = True,
-    clearances: bool = True,
+    least_seconds: float = 2.0,
     tolerance: float = 0.01,
     seconds: float = 60.0,
 ) -> Report:
@@ -47,8 +46,8 @@ def check(
         Two parts that overlap by this much do not touch yet, mm.
     pairs : bool
         Whether each two joints are moved together, too.
-    clearances : bool
-        Whether the least clearance over the range of each joint is looked for, some seconds for each. Verdicts need none.
+    least_seconds : float
+        So long the least clearance over the range of each joint is looked for; 0: not at all. Verdicts do not need it.
     tolerance : float
         Of pairs of joints: the search ends once a contact is known and no more than this share of the configurations is open.
     seconds : float
@@ -63,8 +62,8 @@ def check(
     InvalidInput
         For a name that no part has, and numbers out of their range.
     """
-    if not (0 <= allowed_overlap < float("inf") and 0 < tolerance <= 1 and seconds > 0):
-        raise InvalidInput("allowed_overlap, tolerance, seconds: must be at least 0; in (0, 1]; above 0")
+    if not (0 <= allowed_overlap < float("inf") and 0 < tolerance <= 1 and seconds > 0 and least_seconds >= 0):
+        raise InvalidInput("allowed_overlap, tolerance, seconds, least_seconds: must be at least 0; in (0, 1]; above 0; at least 0")
     end = time.monotonic() + seconds
     meant = _matching(assembly, intended)
     bodies, warnings = assembly.bodies(allowed_overlap)
@@ -88,7 +87,7 @@ def check(
     if not joints:
         return report
     for joint in joints:
-        report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one(clearances))
+        report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one(least_seconds))
     for two in itertools.combinations(joints, 2) if pairs else ():
         report.pairs.append(_Ranges(assembly, two, bodies, meant | touching, allowed_overlap, end).of_two(tolerance))
     return report
@@ -189,7 +188,7 @@ class _Ranges:
             raise InvalidInput(f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits")
         return lower, upper
 
-    def of_one(self, clearances: bool) -> JointRange:
+    def of_one(self, least_seconds: float) -> JointRange:
         """How far the joint goes from where it is mounted, to both sides, and how near anything comes on the way."""
         joint, checker = self.joints[0], RobotChecker(self.robot)
         lower, upper = self.limits(joint)
@@ -198,19 +197,19 @@ class _Ranges:
             stop = self.way(checker, joint, end)
             if stop is not None:
                 found.clear[side], found.stops[side] = stop.clear_until, stop
-        if clearances and not any(found.stops):
+        if least_seconds > 0 and not any(found.stops):
             path = np.concatenate([self.path(joint, lower)[::-1], self.path(joint, upper)[1:]])
-            found.least = self.least(checker, joint, path) if len(path) > 1 and self.robot.tested_pairs() else None
+            found.least = self.least(checker, joint, path, least_seconds) if len(path) > 1 and self.robot.tested_pairs() else None
         found.seconds = time.monotonic() - self.began
         return found
 
-    def least(self, checker: RobotChecker, joint: Joint, path: Array) -> Clearance | None:
+    def least(self, checker: RobotChecker, joint: Joint, path: Array, seconds: float) -> Clearance | None:
         """The least distance on a path: below that of samples, and above the largest margin that is proven for the whole path.
 
         Where one part turns within another one, the distance is the same all the way. There margins are proven much sooner than
         a least distance is found.
         """
-        end = time.monotonic() + min(self.left(), LEAST_SECONDS)
+        end = time.monotonic() + min(self.left(), seconds)
         number, near, lower = self.index[joint.name], None, 0.0
         for value in np.linspace(path[0, number], path[-1, number], SAMPLES):
             near = self.nearer(near, checker, path[0], number, value, end)

@@ -43,7 +43,7 @@ def _checked(options: argparse.Namespace) -> int:
         ignore_touching=options.ignore_touching,
         allowed_overlap=options.allowed_overlap,
         pairs=not options.no_pairs,
-        clearances=not options.no_clearances,
+        least_seconds=options.least_seconds,
         tolerance=options.tolerance,
         seconds=options.seconds,
     )
@@ -65,7 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--deflection", metavar="MM", type=float, help="how far triangles may be from curved faces (default: a part in 2000 of the size)")
     add("--angle", metavar="RADIANS", type=float, default=0.3, help="between neighbouring triangles of a curved face (default: 0.3)")
     add("--no-pairs", action="store_true", help="do not move each two joints together")
-    add("--no-clearances", action="store_true", help="do not look for the least clearance over the range of each joint")
+    add("--least-seconds", metavar="SECONDS", type=float, default=2.0, help="for the least clearance over the range of each joint (default: 2)")
     add("--tolerance", metavar="SHARE", type=float, default=0.01, help="of two joints: how much may stay open once a contact is known")
     add("--seconds", type=float, default=60.0, help="what is not decided then is unknown (default: 60)")
     add("--json", action="store_true", help="print the report as JSON")

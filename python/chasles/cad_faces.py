@@ -178,7 +178,7 @@ class _Face:
         if curve.GetType() == kind.GeomAbs_Line:
             return 0.0, True
         if not polygon.HasParameters():
-            return self.deflection, False
+            return self._unknown_edge(), False
         stamps = [polygon.Parameter(i) for i in range(1, len(ids) + 1)]
         true = np.array([(p.X(), p.Y(), p.Z()) for p in map(curve.Value, stamps)])
         off = float(np.linalg.norm(true - self.points[ids], axis=1).max())
@@ -195,8 +195,11 @@ class _Face:
             is_spline = curve.GetType() == kind.GeomAbs_BSplineCurve
             spline = curve.BSpline() if is_spline else GeomConvert.CurveToBSplineCurve_s(curve.Bezier())
             return off + max(map(bounds.poles, true[:-1], true[1:], _poles(spline, stamps))), False
-        self.kind = "free-form" if self.kind != "plane" else "plane with free-form edges"
-        return self.deflection, False
+        return self._unknown_edge(), False
+
+    def _unknown_edge(self) -> float:
+        self.kind = "plane with free-form edges" if self.kind.startswith("plane") else "free-form"
+        return self.deflection
 
     def _follows_a_line(self, edge: Any, ids: Any) -> bool:
         """Whether an edge is a circle along which one parameter of the surface stays. Three points name a circle."""

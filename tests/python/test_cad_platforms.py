@@ -249,7 +249,7 @@ def test_joints_are_what_constraints_leave():
     assert assembly.parts["pin"].colour == pytest.approx((1, 0, 0)) and assembly.parts["base"].colour == pytest.approx((0, 0, 1))
     for name, part in assembly.parts.items():
         assert np.abs(part.place - matrix_of(model.objects[name].loc.wrapped)).max() < 1e-12
-    report = chasles.cad.check(assembly, clearances=False)
+    report = chasles.cad.check(assembly, least_seconds=0)
     assert report.verdict == "clear" and report.least.lower <= 0.1 <= report.least.upper
 
 

@@ -202,7 +202,7 @@ def public_types():
     types = {name: value for name, value in vars(chasles).items() if isinstance(value, type)}
     found = {name for name, value in types.items() if value.__module__.startswith("chasles")}
     for file in pathlib.Path(chasles.__file__).parent.glob("[a-z]*.py"):
-        is_optional = file.stem in ("ompl", "lerobot") or file.stem.startswith("mujoco")  # test_mujoco_audit.py pickles an Audit
+        is_optional = file.stem in ("ompl", "lerobot") or file.stem.startswith(("mujoco", "cad"))  # test_mujoco_audit.py pickles an Audit
         if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question"):  # or of the package's own use
             continue
         module = importlib.import_module(f"chasles.{file.stem}")
