@@ -135,9 +135,9 @@ def _touch(assembly: Assembly, first: str, second: str, bodies: Any, allowed: fl
         if found.verdict != "clear":
             break
     point = _point(found)
+    parts = (assembly.parts[first], assembly.parts[second])
     is_proven = False
-    if allowed == 0 and found is not None:
-        parts = (assembly.parts[first], assembly.parts[second])
+    if allowed == 0 and found is not None and all(part.is_proven for part in parts):
         is_proven = _is_true(found, parts) or (point is not None and Overlap(parts, places, np.array(point)).is_proven(places))
     return Touch((first, second), point, is_proven)
 

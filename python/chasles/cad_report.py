@@ -68,7 +68,10 @@ class JointRange:
 
 @dataclasses.dataclass
 class PairRange:
-    """All combinations of two joints: shares that are proven clear, proven in contact, and open. `found` is the `RobotRange`."""
+    """All combinations of two joints: shares that are proven clear, in contact, and open. `found` is the `RobotRange`.
+
+    Clear are the true parts. In contact are the bodies around them: the true parts touch, or are within twice the sum of their bounds.
+    """
 
     joints: tuple[str, str]
     outcome: str
