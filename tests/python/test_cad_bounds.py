@@ -10,7 +10,7 @@ import chasles
 pytest.importorskip("OCP")
 import chasles.cad  # noqa: E402
 import cad_shapes as cs  # noqa: E402
-from chasles import cad_bounds  # noqa: E402
+from chasles import cad_bounds, cad_faces  # noqa: E402
 from chasles.cad_faces import tessellate  # noqa: E402
 
 LONG = bool(os.environ.get("CHASLES_LONG"))
@@ -94,3 +94,10 @@ def test_triangles_about_an_axis_have_no_bound():
     points = np.column_stack([np.cos(u), np.sin(u), [0, 0, 0]])
     assert cad_bounds.of_revolution(points, np.array([[0, 1, 2]]), u, 1.0, 0.0) == np.inf
     assert cad_bounds.arcs(1.0, np.array([0.0, 4.0])) == np.inf
+
+
+def test_edges_count(monkeypatch):
+    """A face whose edges are farther from their chords than its triangles from the surface."""
+    edges = cad_faces._Face._edges
+    monkeypatch.setattr(cad_faces._Face, "_edges", lambda face, *given: (0.7, edges(face, *given)[1]))
+    assert tessellate(cs.ball(4), 0.02, 0.3).bound >= 0.7

@@ -1,6 +1,7 @@
 """STEP files, build123d and CadQuery: names, colours, places, joints, their own kinematics and collision; and the command."""
 
 import importlib.util
+import itertools
 import json
 import os
 import subprocess
@@ -190,6 +191,8 @@ def test_occt_refutes_nothing_at_random_poses():
     model, _, _ = arm()
     assembly = chasles.cad.load(model, deflection=0.02)
     robot = assembly.robot()
+    pairs = {frozenset(pair) for pair in itertools.combinations(assembly.parts, 2)} - {frozenset(("rod", "cap"))}  # rigid
+    assert {frozenset(pair) for pair in robot.tested_pairs()} == pairs
     checker, random, seen = chasles.RobotChecker(robot), np.random.default_rng(6), 0
     joints = {joint.name: joint for joint in assembly.joints}
     lower, upper = np.array([(joints[name].lower, joints[name].upper) for name in robot.variables]).T
