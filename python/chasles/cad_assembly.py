@@ -177,6 +177,9 @@ class Assembly:
             except InvalidInput as error:
                 found[name] = part.outer()
                 warnings.append(f"{name}: its faces cannot be moved inwards, so no overlap is allowed: {error}")
+        coarse = sum(0 < allowed_overlap < 2 * part.bound for part in self.parts.values())
+        if coarse:
+            warnings.append(f"{coarse} parts have a larger error than half of the allowed overlap; a smaller deflection makes it less")
         return found, warnings
 
     def robot_of(

@@ -88,6 +88,7 @@ def _of_script(path: str) -> Any:
 
     if not pathlib.Path(path).is_file():
         raise InvalidInput(f"{path}: is no file")
+    sys.path.insert(0, str(pathlib.Path(path).resolve().parent))  # as Python does for a program
     try:
         names = runpy.run_path(path)
     except KeyboardInterrupt:
