@@ -247,11 +247,8 @@ def _frame(surface: Any, kind: str) -> tuple[Array, tuple[float, ...]]:
         "sphere": lambda: (shape.Radius(),),
         "torus": lambda: (shape.MajorRadius(), shape.MinorRadius()),
     }[kind]()
-    rows = [axes.XDirection(), axes.YDirection(), None, axes.Location()]
-    place = np.array([(0.0, 0.0, 0.0) if row is None else (row.X(), row.Y(), row.Z()) for row in rows])
-    place[2] = np.cross(place[0], place[1])  # the frame of a mirrored surface is left-handed; this one is not
-    if kind == "cone" and not axes.Direct():
-        numbers = (numbers[0], -numbers[1])
+    rows = [axes.XDirection(), axes.YDirection(), axes.Direction(), axes.Location()]  # left-handed where the shape is mirrored
+    place = np.array([(row.X(), row.Y(), row.Z()) for row in rows])
     return place, numbers
 
 

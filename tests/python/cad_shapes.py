@@ -15,7 +15,7 @@ from OCP.BRepPrimAPI import (
     BRepPrimAPI_MakeTorus,
 )
 from OCP.BRepClass import BRepClass_FaceClassifier
-from OCP.gp import gp_Pnt, gp_Pnt2d, gp_Trsf
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Pnt2d, gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
@@ -46,6 +46,13 @@ def moved(shape, *place, **options):
 
 def placed(shape, pose):
     return shape.Located(TopLoc_Location(trsf(pose)))
+
+
+def mirrored(shape):
+    """Its surfaces have left-handed frames."""
+    mirror = gp_Trsf()
+    mirror.SetMirror(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 2)))
+    return BRepBuilderAPI_Transform(shape, mirror, True).Shape()
 
 
 def box(x, y, z, at=(0, 0, 0)):

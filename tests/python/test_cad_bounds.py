@@ -30,6 +30,9 @@ SHAPES = {
     "sphere cut askew": lambda: cs.cut(cs.ball(5), cs.moved(cs.box(20, 20, 20), (1, -10, -10), axis=(0, 1, 1), degrees=20)),
     "cone cut askew": lambda: cs.cut(cs.cone(6, 3, 10), cs.moved(cs.box(40, 40, 40), (-20, -20, 6), axis=(1, 0, 0), degrees=20)),
     "torus with a bore": lambda: cs.cut(cs.torus(10, 3), cs.cylinder(1, 30, (10, 0, -15))),
+    "placed cone": lambda: cs.placed(cs.cone(5, 2, 8), cs.matrix((1, 2, 3), (1, 2, 3), 70)),
+    "mirrored bore": lambda: cs.mirrored(cs.cut(cs.box(20, 20, 10), cs.cone(3, 6, 5, (9, 9, 5)))),
+    "mirrored torus with a bore": lambda: cs.mirrored(cs.cut(cs.torus(10, 3), cs.cylinder(1, 30, (10, 0, -15)))),
     "lens": lambda: cs.common(cs.ball(5, (0, 0, -3)), cs.ball(5, (0.5, 0, 3))),
 }
 
