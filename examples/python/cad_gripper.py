@@ -61,5 +61,7 @@ assert mended.verdict == "clear" and mended.is_proven
 # Each joint goes to its ends and back, with the contacts to click. The report is JSON for continuous integration.
 
 # %%
-page = report.view(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "gripper.html").with_suffix(".html"), title="A gripper that jams")
+page = report.view(
+    pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "gripper.html").with_suffix(".html"), title="A gripper that jams"
+)
 print("open", page)

@@ -66,7 +66,9 @@ def load(source: Any, *, deflection: float | None = None, angle: float = 0.3) ->
             assembly = Assembly(root, deflection=deflection, angle=angle)
             platform.add_joints(assembly, root)
             return assembly
-    raise TypeError(f"source: {with_article(source)} is no path of a STEP file, no shape of build123d, and no Assembly of CadQuery")
+    raise TypeError(
+        f"source: {with_article(source)} is no path of a STEP file, no shape of build123d, and no Assembly of CadQuery"
+    )
 
 
 def is_assembly(thing: Any) -> bool:

@@ -179,7 +179,9 @@ class Assembly:
                 warnings.append(f"{name}: its faces cannot be moved inwards, so no overlap is allowed: {error}")
         coarse = sum(0 < allowed_overlap < 2 * part.bound for part in self.parts.values())
         if coarse:
-            warnings.append(f"{coarse} parts have a larger error than half of the allowed overlap; a smaller deflection makes it less")
+            warnings.append(
+                f"{coarse} parts have a larger error than half of the allowed overlap; a smaller deflection makes it less"
+            )
         return found, warnings
 
     def robot_of(
@@ -223,7 +225,8 @@ class Assembly:
 
     def loose(self, bodies: Mapping[str, list[Polyhedron]], left_out: Iterable[tuple[str, str]] = ()) -> tuple[Robot, Array]:
         """A robot whose parts all float, and its configuration as mounted: for questions about all pairs at rest."""
-        links, joints = [{"name": WORLD}], []
+        links: list[dict[str, Any]] = [{"name": WORLD}]
+        joints = []
         for name, part in self.parts.items():
             links.append({"name": name, "collisions": [{"shape": body, "origin": part.place} for body in bodies[name]]})
             joints.append({"name": f"{name} floats", "type": "floating", "parent": WORLD, "child": name})
@@ -271,7 +274,9 @@ def _tessellated(name: str, shape: Any, deflection: float | None, angle: float) 
 def _part(path: str, node: Node, place: Array, mesh: Tessellation) -> Part:
     try:
         body = Polyhedron(mesh.vertices, mesh.triangles)
-        curved = Polyhedron(mesh.vertices, mesh.triangles[mesh.curved], solid="no", radius=mesh.bound) if len(mesh.curved) else None
+        curved = (
+            Polyhedron(mesh.vertices, mesh.triangles[mesh.curved], solid="no", radius=mesh.bound) if len(mesh.curved) else None
+        )
     except InvalidInput as error:
         raise InvalidInput(f"part {path!r}: {error}") from None
     return Part(path, place, node.colour, body, mesh.bound, mesh.kinds, node.shape, curved)

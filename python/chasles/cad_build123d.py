@@ -57,7 +57,9 @@ def _add(assembly: Assembly, joint: Any, places: dict[int, tuple[str, Array]]) -
     freedoms = _freedoms(joint, other)
     size = 1 + float(np.abs(below[:3, 3] - above[:3, 3]).max())
     moves = _moves(joint, other, freedoms, size, name)
-    values = _values(moves, _relative(joint, other, freedoms, [f.lower_in_range for f in freedoms]), np.linalg.inv(above) @ below, size, name)
+    values = _values(
+        moves, _relative(joint, other, freedoms, [f.lower_in_range for f in freedoms]), np.linalg.inv(above) @ below, size, name
+    )
     if not moves:
         assembly.add_joint(name, "fixed", parent, child)
     carrier = above
@@ -175,7 +177,7 @@ def _axis(way: Array, freedom: _Freedom) -> tuple[Array, Array]:
         return np.zeros(3), way[:3, 3] / freedom.step
     r = way[:3, :3]
     axis = np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]) / (2 * np.sin(freedom.step))
-    point = np.linalg.lstsq(np.eye(3) - r, way[:3, 3], rcond=1e-9)[0]
+    point: Array = np.asarray(np.linalg.lstsq(np.eye(3) - r, way[:3, 3], rcond=1e-9)[0], np.float64)
     return point, axis / max(float(np.linalg.norm(axis)), 1e-300)
 
 
@@ -183,14 +185,17 @@ def _gives_the_same(
     order: Sequence[_Move], pose: Callable[[list[float]], Array], freedoms: list[_Freedom], base: Array, size: float
 ) -> bool:
     for shares in ((0.3, 0.7, 0.9), (0.8, 0.2, 0.5), (0.6, 1.0, 0.1)):
-        values = [f.lower_in_range + share * (2.5 if f.type == "revolute" else f.step) for f, share in zip(freedoms, shares, strict=False)]
+        values = [
+            f.lower_in_range + share * (2.5 if f.type == "revolute" else f.step)
+            for f, share in zip(freedoms, shares, strict=False)
+        ]
         by_freedom = {id(freedom): value for freedom, value in zip(freedoms, values, strict=True)}
         if np.abs(_chain(order, [by_freedom[id(move.freedom)] for move in order], base) - pose(values)).max() > _SAME * size:
             return False
     return True
 
 
-def _chain(moves: Sequence[_Move], values: Sequence[float], base: Array) -> Array:
+def _chain(moves: Sequence[_Move], values: Sequence[float] | Array, base: Array) -> Array:
     for move, value in zip(reversed(moves), reversed(values), strict=True):
         base = move.matrix(value) @ base
     return base

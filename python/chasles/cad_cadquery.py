@@ -59,7 +59,9 @@ def add_joints(assembly: Assembly, root: Node) -> None:
             paths.setdefault(node.source.name, path)
     constraints = [_Constraint(tuple(c.objects), pod) for c in thing.constraints for pod in c.toPODs() if c.kind != "Fixed"]
     names = list(dict.fromkeys(name for c in thing.constraints for name in c.objects))
-    fixed = [name for name in names if name == thing.name or any(c.kind == "Fixed" and name in c.objects for c in thing.constraints)]
+    fixed = [
+        name for name in names if name == thing.name or any(c.kind == "Fixed" and name in c.objects for c in thing.constraints)
+    ]
     _Tree(assembly, constraints, places, paths).grow(fixed or names[:1], names)
 
 
@@ -115,7 +117,12 @@ def _on_line(distance: float | None, p: Array, _: Array, q: Array, along: Array)
     return np.array([np.linalg.norm(off) - distance]) if distance else off
 
 
-_RESIDUALS: dict[str, Callable[..., Array]] = {"Point": _points, "Axis": _axes, "PointInPlane": _in_plane, "PointOnLine": _on_line}
+_RESIDUALS: dict[str, Callable[..., Array]] = {
+    "Point": _points,
+    "Axis": _axes,
+    "PointInPlane": _in_plane,
+    "PointOnLine": _on_line,
+}
 
 
 @dataclasses.dataclass
@@ -136,7 +143,9 @@ class _Tree:
                 raise InvalidInput(f"constraints: {waiting[0]!r} is not connected to a part that is fixed")
             parents = {rigid[end] for c in self.between(name, rigid) for end in c.objects if end != name}
             if len(parents) > 1:
-                raise InvalidInput(f"constraints: {name!r} is bound to parts that move: a closed loop; use add_joint with `follows`")
+                raise InvalidInput(
+                    f"constraints: {name!r} is bound to parts that move: a closed loop; use add_joint with `follows`"
+                )
             waiting.remove(name)
             rigid[name] = self.join(name, parents.pop(), self.between(name, rigid))
 
@@ -187,7 +196,9 @@ def _freedoms(off: Callable[[Array], Array], at: Array, size: float, name: str) 
         centre = at - np.linalg.lstsq(-rows_of, -np.concatenate([twist[3:] * size for twist in twists]), rcond=None)[0]
         found += [("revolute", centre, axis) for axis in np.eye(3)]
     elif count:
-        raise InvalidInput(f"constraints: {name!r} keeps {len(free)} freedoms that are no joint; add constraints, or joints by add_joint")
+        raise InvalidInput(
+            f"constraints: {name!r} keeps {len(free)} freedoms that are no joint; add constraints, or joints by add_joint"
+        )
     zero = np.abs(off(np.eye(4))).max()
     for angle, way in itertools.product((0.5, -1.0), repeat=2):
         move = np.eye(4)

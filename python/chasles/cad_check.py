@@ -18,7 +18,15 @@ from .cad_report import Clearance, JointRange, PairRange, Report, Stop, Touch
 
 LARGEST = 1000.0  # the values of robots end here
 SAMPLES = 25  # places of a joint at which the distance is computed
-MARGINS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.99)  # shares of the least one that was found; the last one after a smaller one was found
+MARGINS = (
+    0.5,
+    0.8,
+    0.9,
+    0.95,
+    0.98,
+    0.99,
+    0.99,
+)  # shares of the least one that was found; the last one after a smaller one was found
 _QUARTER = np.pi / 2  # straight paths of joints without limits take the shorter way
 
 
@@ -63,7 +71,9 @@ def check(
         For a name that no part has, and numbers out of their range.
     """
     if not (0 <= allowed_overlap < float("inf") and 0 < tolerance <= 1 and seconds > 0 and least_seconds >= 0):
-        raise InvalidInput("allowed_overlap, tolerance, seconds, least_seconds: must be at least 0; in (0, 1]; above 0; at least 0")
+        raise InvalidInput(
+            "allowed_overlap, tolerance, seconds, least_seconds: must be at least 0; in (0, 1]; above 0; at least 0"
+        )
     end = time.monotonic() + seconds
     meant = _matching(assembly, intended)
     bodies, warnings = assembly.bodies(allowed_overlap)
@@ -108,7 +118,7 @@ def _matching(assembly: Assembly, intended: Collection[tuple[str, str]]) -> set[
     return found
 
 
-def _ordered(assembly: Assembly, pair: tuple[str, str]) -> tuple[str, str]:
+def _ordered(assembly: Assembly, pair: Any) -> tuple[str, str]:
     names = list(assembly.parts)
     first, second = sorted(pair, key=names.index)
     return first, second
@@ -160,7 +170,9 @@ def _clearance(assembly: Assembly, found: Any, values: dict[str, float], allowed
     """The bracket of the true parts. A point of a body around a part is at most twice its bound away from the part."""
     first, second = _ordered(assembly, found.pair)
     off = 2 * sum(assembly.parts[name].bound for name in (first, second)) + allowed
-    return Clearance((first, second), found.distance, found.distance_upper + off, _point(found) if found.contacts else None, values)
+    return Clearance(
+        (first, second), found.distance, found.distance_upper + off, _point(found) if found.contacts else None, values
+    )
 
 
 class _Ranges:
@@ -183,9 +195,13 @@ class _Ranges:
         """Where a joint ends. Without a limit, a turn; or so far that nothing of the assembly is left beside the part."""
         way = np.pi if joint.type == "revolute" else 2 * self.assembly.size
         endless = (joint.value - way, joint.value + way)
-        lower, upper = (given if np.isfinite(given) else other for given, other in zip((joint.lower, joint.upper), endless, strict=True))
+        lower, upper = (
+            given if np.isfinite(given) else other for given, other in zip((joint.lower, joint.upper), endless, strict=True)
+        )
         if max(-lower, upper) > LARGEST:
-            raise InvalidInput(f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits")
+            raise InvalidInput(
+                f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits"
+            )
         return lower, upper
 
     def of_one(self, least_seconds: float) -> JointRange:
@@ -226,9 +242,9 @@ class _Ranges:
                 near = self.nearer(near, checker, path[0], number, found.configuration[number], end)
         if near is None or near.pair is None:
             return None
-        found = _clearance(self.assembly, near, {joint.name: float(near.configuration[number])}, self.allowed)
-        found.lower = min(lower, near.distance)
-        return found
+        least = _clearance(self.assembly, near, {joint.name: float(near.configuration[number])}, self.allowed)
+        least.lower = min(lower, near.distance)
+        return least
 
     def nearer(self, near: Any, checker: RobotChecker, row: Array, number: int, value: float, end: float) -> Any:
         """The nearest one so far, and that at another value."""

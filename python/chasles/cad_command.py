@@ -58,15 +58,48 @@ def _checked(options: argparse.Namespace) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="chasles cad", description=_DESCRIPTION, epilog=_EPILOG)
     add = parser.add_argument
-    add("model", metavar="MODEL", help="a STEP file; or a program in Python that leaves an assembly of build123d, CadQuery or chasles.cad")
-    add("--intended", metavar="A:B", action="append", default=[], help="two parts whose contacts are intended; * and ? stand for any letters")
+    add(
+        "model",
+        metavar="MODEL",
+        help="a STEP file; or a program in Python that leaves an assembly of build123d, CadQuery or chasles.cad",
+    )
+    add(
+        "--intended",
+        metavar="A:B",
+        action="append",
+        default=[],
+        help="two parts whose contacts are intended; * and ? stand for any letters",
+    )
     add("--ignore-touching", action="store_true", help="all contacts as mounted are intended")
     add("--allowed-overlap", metavar="MM", type=float, default=0.0, help="two parts that overlap by so much do not touch yet")
-    add("--deflection", metavar="MM", type=float, help="how far triangles may be from curved faces (default: a part in 2000 of the size)")
-    add("--angle", metavar="RADIANS", type=float, default=0.3, help="between neighbouring triangles of a curved face (default: 0.3)")
+    add(
+        "--deflection",
+        metavar="MM",
+        type=float,
+        help="how far triangles may be from curved faces (default: a part in 2000 of the size)",
+    )
+    add(
+        "--angle",
+        metavar="RADIANS",
+        type=float,
+        default=0.3,
+        help="between neighbouring triangles of a curved face (default: 0.3)",
+    )
     add("--no-pairs", action="store_true", help="do not move each two joints together")
-    add("--least-seconds", metavar="SECONDS", type=float, default=2.0, help="for the least clearance over the range of each joint (default: 2)")
-    add("--tolerance", metavar="SHARE", type=float, default=0.01, help="of two joints: how much may stay open once a contact is known")
+    add(
+        "--least-seconds",
+        metavar="SECONDS",
+        type=float,
+        default=2.0,
+        help="for the least clearance over the range of each joint (default: 2)",
+    )
+    add(
+        "--tolerance",
+        metavar="SHARE",
+        type=float,
+        default=0.01,
+        help="of two joints: how much may stay open once a contact is known",
+    )
     add("--seconds", type=float, default=60.0, help="what is not decided then is unknown (default: 60)")
     add("--json", action="store_true", help="print the report as JSON")
     add("--out", metavar="FILE", help="write the report as JSON")

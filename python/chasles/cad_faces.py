@@ -55,7 +55,8 @@ def tessellate(shape: Any, deflection: float, angle: float) -> Tessellation:
     """
     BRepMesh_IncrementalMesh(shape, deflection, False, angle, True)
     nodes = _Nodes()
-    triangles, curved, bound, kinds = [], [], 0.0, collections.Counter()
+    triangles, curved, bound = [], [], 0.0
+    kinds: collections.Counter[str] = collections.Counter()
     faces = [_Face(_as_face(face), nodes) for face in explored(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
     if not faces:
         raise InvalidInput("has no faces")
@@ -190,7 +191,9 @@ class _Face:
             return off + bounds.bent(np.array(stamps), np.full(len(stamps) - 1, 0.5 / curve.Parabola().Focal())), False
         if curve.GetType() == kind.GeomAbs_Hyperbola:
             shape, far = curve.Hyperbola(), np.maximum(np.abs(stamps[:-1]), np.abs(stamps[1:]))
-            return off + bounds.bent(np.array(stamps), np.hypot(shape.MajorRadius() * np.cosh(far), shape.MinorRadius() * np.sinh(far))), False
+            return off + bounds.bent(
+                np.array(stamps), np.hypot(shape.MajorRadius() * np.cosh(far), shape.MinorRadius() * np.sinh(far))
+            ), False
         if curve.GetType() in (kind.GeomAbs_BSplineCurve, kind.GeomAbs_BezierCurve):
             is_spline = curve.GetType() == kind.GeomAbs_BSplineCurve
             spline = curve.BSpline() if is_spline else GeomConvert.CurveToBSplineCurve_s(curve.Bezier())
@@ -230,7 +233,7 @@ class _Face:
         else:
             error = bounds.of_revolution(points, triangles, parameters[:, 0], *numbers)
         error = max(error, chords)
-        if np.isfinite(error) and (is_along or error < bounds.least_radius(self.kind, points, numbers)) :
+        if np.isfinite(error) and (is_along or error < bounds.least_radius(self.kind, points, numbers)):
             return error
         self.kind = "free-form"  # too coarse beside its curvature for a proof
         return max(self.deflection, chords if np.isfinite(chords) else 0.0)

@@ -19,7 +19,11 @@ def write_page(report: Report, out: str | os.PathLike[str], title: str) -> pathl
     """See `Report.view`. A unit of time is the way of one joint to one end, or back."""
     assembly = report.assembly
     robot, rest = assembly.robot(), assembly.rest
-    times, rows, events = [0.0], [rest], [_event(touch.pair, touch.point, 0.0, "as mounted", touch.is_proven) for touch in report.touching]
+    times, rows, events = (
+        [0.0],
+        [rest],
+        [_event(touch.pair, touch.point, 0.0, "as mounted", touch.is_proven) for touch in report.touching],
+    )
     for joint in report.joints:
         number = robot.variables.index(joint.name)
         for side, end in enumerate((joint.lower, joint.upper)):
@@ -47,14 +51,18 @@ def _with(rest: Array, number: int, value: float) -> Array:
 
 
 def _event(pair: tuple[str, str], point: list[float] | None, time: float, kind: str, certain: bool) -> dict[str, Any]:
-    return {"time": time, "pair": pair, "kind": kind, "certain": certain, "points": [], "normals": []} if point is None else {
-        "time": time,
-        "pair": pair,
-        "kind": kind,
-        "certain": certain,
-        "points": [point],
-        "normals": [[0.0, 0.0, 1.0]],
-    }
+    return (
+        {"time": time, "pair": pair, "kind": kind, "certain": certain, "points": [], "normals": []}
+        if point is None
+        else {
+            "time": time,
+            "pair": pair,
+            "kind": kind,
+            "certain": certain,
+            "points": [point],
+            "normals": [[0.0, 0.0, 1.0]],
+        }
+    )
 
 
 def _seven(matrix: Array) -> Array:

@@ -33,9 +33,9 @@ class Overlap:
 
     def is_proven(self, poses: tuple[Array, Array]) -> bool:
         """At these poses. It may be false although the parts touch."""
-        from_second = np.linalg.inv(poses[1]) @ poses[0]
+        from_second: Array = np.linalg.inv(poses[1]) @ poses[0]
         return _is_deep(self.points[0], from_second, self.parts[1], self.depth) or _is_deep(
-            self.points[1], np.linalg.inv(from_second), self.parts[0], self.depth
+            self.points[1], np.asarray(np.linalg.inv(from_second), np.float64), self.parts[0], self.depth
         )
 
 

@@ -125,7 +125,8 @@ class Report:
         """ "contact" if anything touches that is not intended, else "unknown" if time ended, else "clear"."""
         if self.touching and not self.ignore_touching:
             return CONTACT
-        verdicts = {found.verdict for found in [*self.joints, *self.pairs]} | (set() if self.is_complete else {UNKNOWN})
+        verdicts = {joint.verdict for joint in self.joints} | {pair.verdict for pair in self.pairs}
+        verdicts |= set() if self.is_complete else {UNKNOWN}
         return next((verdict for verdict in (CONTACT, UNKNOWN) if verdict in verdicts), CLEAR)
 
     @property

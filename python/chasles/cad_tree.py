@@ -51,7 +51,8 @@ def split(node: Node) -> None:
     others = TopExp_Explorer(node.shape, TopAbs_ShapeEnum.TopAbs_FACE, TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) > 1 and not others.More():
         node.children = [
-            Node(f"solid {number + 1}", matrix_of(solid.Location()), node.colour, without_place(solid)) for number, solid in enumerate(solids)
+            Node(f"solid {number + 1}", matrix_of(solid.Location()), node.colour, without_place(solid))
+            for number, solid in enumerate(solids)
         ]
         node.shape = None
 

@@ -94,7 +94,9 @@ def common(shape, other):
 
 def assembly(deflection=0.01, angle=0.3, **shapes):
     """Parts by name, all where their geometry is."""
-    return Assembly(Node("model", children=[Node(name, shape=shape) for name, shape in shapes.items()]), deflection=deflection, angle=angle)
+    return Assembly(
+        Node("model", children=[Node(name, shape=shape) for name, shape in shapes.items()]), deflection=deflection, angle=angle
+    )
 
 
 def distance(first, second):

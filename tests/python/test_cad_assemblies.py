@@ -101,7 +101,9 @@ def test_a_geneva_drive_keeps_its_play():
     robot = made.robot()
     angles = np.linspace(-0.7, 0.7, 401)
     path = np.column_stack([angles, -np.arctan2(np.sin(angles), np.sqrt(2) - np.cos(angles))])
-    near = chasles.RobotChecker(robot).least_distance_on_path(chasles.JointPath.natural_spline(robot, angles, path), tolerance=0.02)
+    near = chasles.RobotChecker(robot).least_distance_on_path(
+        chasles.JointPath.natural_spline(robot, angles, path), tolerance=0.02
+    )
     bounds = 2 * sum(part.bound for part in made.parts.values()) + 1e-3
     assert 0.2 - bounds <= near.distance <= near.distance_upper <= 0.2 + bounds
 
@@ -109,7 +111,9 @@ def test_a_geneva_drive_keeps_its_play():
 def test_intended_contacts_and_overlaps():
     assembly, _ = cases.pin_in_clevis(5.0)
     touching = chasles.cad.check(assembly, least_seconds=0)
-    assert touching.verdict == "contact" and [t.pair for t in touching.touching] == [("clevis", "pin")] and touching.exit_status == 1
+    assert (
+        touching.verdict == "contact" and [t.pair for t in touching.touching] == [("clevis", "pin")] and touching.exit_status == 1
+    )
     for options in (dict(intended=[("pin", "cle*")]), dict(ignore_touching=True), dict(allowed_overlap=0.02)):
         report = chasles.cad.check(assembly, least_seconds=0, **options)
         assert report.verdict == "clear" and report.joints[0].verdict == "clear", options
@@ -133,7 +137,11 @@ def test_the_report_is_json_and_a_page(tmp_path):
     assembly, _ = cases.slot()
     report = chasles.cad.check(assembly)
     read = json.loads(report.to_json())
-    assert read["verdict"] == "contact" and read["about"] == "the true parts" and read["joints"][0]["stops"][0]["pair"] == ["plate", "pin"]
+    assert (
+        read["verdict"] == "contact"
+        and read["about"] == "the true parts"
+        and read["joints"][0]["stops"][0]["pair"] == ["plate", "pin"]
+    )
     assert "stopped by plate | pin" in str(report)
     page = report.view(tmp_path / "page.html")
     assert "plate" in page.read_text("utf-8")

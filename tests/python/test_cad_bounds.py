@@ -26,7 +26,9 @@ SHAPES = {
     "bore": lambda: cs.cut(cs.box(20, 20, 10), cs.cylinder(4, 10, (10, 10, 0)), cs.cone(3, 6, 5, (4, 4, 5))),
     "cylinders that cross": lambda: cs.fuse(cs.cylinder(5, 20), cs.cylinder(3, 30, (-15, 0, 10), axis=(0, 1, 0), degrees=90)),
     "bore across a cylinder": lambda: cs.cut(cs.cylinder(5, 20), cs.cylinder(2, 30, (-15, 1, 10), axis=(0, 1, 0), degrees=90)),
-    "cylinder cut askew": lambda: cs.cut(cs.cylinder(5, 20), cs.moved(cs.box(40, 40, 40), (-20, -20, 12), axis=(1, 0.3, 0), degrees=25)),
+    "cylinder cut askew": lambda: cs.cut(
+        cs.cylinder(5, 20), cs.moved(cs.box(40, 40, 40), (-20, -20, 12), axis=(1, 0.3, 0), degrees=25)
+    ),
     "sphere cut askew": lambda: cs.cut(cs.ball(5), cs.moved(cs.box(20, 20, 20), (1, -10, -10), axis=(0, 1, 1), degrees=20)),
     "cone cut askew": lambda: cs.cut(cs.cone(6, 3, 10), cs.moved(cs.box(40, 40, 40), (-20, -20, 6), axis=(1, 0, 0), degrees=20)),
     "torus with a bore": lambda: cs.cut(cs.torus(10, 3), cs.cylinder(1, 30, (10, 0, -15))),
@@ -65,14 +67,16 @@ def test_no_point_is_farther_than_the_bound(name):
 
 
 def test_planes_with_straight_edges_are_exact():
-    mesh = tessellate(cs.cut(cs.moved(cs.box(3, 4, 5), (1, 2, 3), **TILT), cs.moved(cs.box(1, 1, 9), (2, 3, 0), **TILT)), 0.1, 0.3)
+    mesh = tessellate(
+        cs.cut(cs.moved(cs.box(3, 4, 5), (1, 2, 3), **TILT), cs.moved(cs.box(1, 1, 9), (2, 3, 0), **TILT)), 0.1, 0.3
+    )
     assert mesh.bound == 0 and len(mesh.curved) == 0 and set(mesh.kinds) == {"plane"}
 
 
 def test_planes_beside_curved_faces_stay_exact():
     mesh = tessellate(cs.cut(cs.box(20, 20, 10), cs.cylinder(4, 10, (10, 10, 0))), 0.05, 0.3)
     flat = np.setdiff1d(np.arange(len(mesh.triangles)), mesh.curved)
-    assert len(flat) > 10 and 0 < len(mesh.curved) and 0 < mesh.bound < 0.1
+    assert len(flat) > 10 and len(mesh.curved) > 0 and 0 < mesh.bound < 0.1
     heights = mesh.vertices[mesh.triangles[flat]]
     is_in = (np.abs(heights) < 1e-12).all(axis=1) | (np.abs(heights - [20, 20, 10]) < 1e-12).all(axis=1)
     assert is_in.any(axis=1).all()  # each is in one of the six planes of the box
@@ -81,7 +85,9 @@ def test_planes_beside_curved_faces_stay_exact():
 def test_free_form_faces_are_said_to_be_such():
     from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
 
-    part = chasles.cad_assembly.Part("x", np.eye(4), None, None, 0.1, tessellate(BRepBuilderAPI_NurbsConvert(cs.cylinder(5, 9)).Shape(), 0.05, 0.3).kinds, None)
+    part = chasles.cad_assembly.Part(
+        "x", np.eye(4), None, None, 0.1, tessellate(BRepBuilderAPI_NurbsConvert(cs.cylinder(5, 9)).Shape(), 0.05, 0.3).kinds, None
+    )
     assert not part.is_proven and part.kinds["free-form"] >= 1
 
 

@@ -14,7 +14,6 @@ import chasles
 
 pytest.importorskip("OCP")
 import chasles.cad  # noqa: E402
-import cad_cases as cases  # noqa: E402
 import cad_shapes as cs  # noqa: E402
 from chasles.cad_command import main  # noqa: E402
 from chasles.cad_tree import matrix_of  # noqa: E402
@@ -42,7 +41,9 @@ def write_step(path, shapes):
     for name, colour, shape, pose in shapes:
         part = tool.AddShape(shape, False)
         TDataStd_Name.Set_s(part, TCollection_ExtendedString(name))
-        colours.SetColor(part, Quantity_Color(*colour, Quantity_TypeOfColor.Quantity_TOC_RGB), XCAFDoc_ColorType.XCAFDoc_ColorSurf)
+        colours.SetColor(
+            part, Quantity_Color(*colour, Quantity_TypeOfColor.Quantity_TOC_RGB), XCAFDoc_ColorType.XCAFDoc_ColorSurf
+        )
         instance = tool.AddComponent(root, part, TopLoc_Location(cs.trsf(pose)))
         TDataStd_Name.Set_s(instance, TCollection_ExtendedString(f"{name} here"))
     tool.UpdateAssemblies()
@@ -84,7 +85,9 @@ def test_step_of_several_solids_and_of_curves(tmp_path):
     wire = TopoDS_Compound()
     builder.MakeCompound(wire)
     builder.Add(wire, next(cs.explored(cs.box(1, 1, 1), cs.TopAbs_ShapeEnum.TopAbs_EDGE)))
-    root = chasles.cad_tree.Node("all", children=[chasles.cad_tree.Node("two", shape=whole), chasles.cad_tree.Node("wire", shape=wire)])
+    root = chasles.cad_tree.Node(
+        "all", children=[chasles.cad_tree.Node("two", shape=whole), chasles.cad_tree.Node("wire", shape=wire)]
+    )
     chasles.cad_tree.split(root.children[0])
     assembly = chasles.cad.Assembly(root)
     assert list(assembly.parts) == ["two/solid 1", "two/solid 2"] and "wire: has no faces" in assembly.warnings[0]
@@ -95,7 +98,10 @@ def test_step_of_several_solids_and_of_curves(tmp_path):
 def test_the_command(step, tmp_path, capsys):
     path, _ = step
     assert main([str(path), "--out", str(tmp_path / "report.json"), "--page", str(tmp_path / "page.html")]) == 0
-    assert json.loads((tmp_path / "report.json").read_text())["verdict"] == "clear" and (tmp_path / "page.html").stat().st_size > 1000
+    assert (
+        json.loads((tmp_path / "report.json").read_text())["verdict"] == "clear"
+        and (tmp_path / "page.html").stat().st_size > 1000
+    )
     assert "3 parts" in capsys.readouterr().out
     assert main([str(path), "--intended", "pin:nothing"]) == 2 and "no part" in capsys.readouterr().err
     assert main([str(path), "--page", str(path)]) == 2 and "overwritten" in capsys.readouterr().err
@@ -111,7 +117,9 @@ def test_the_command_runs_programs(step, tmp_path, capsys):
     script.write_text(text)
     assert main([str(script), "--json"]) == 1
     read = json.loads(capsys.readouterr().out)
-    assert read["verdict"] == "contact" and ["block here", "pin here"] in [stop and stop["pair"] for stop in read["joints"][0]["stops"]]
+    assert read["verdict"] == "contact" and ["block here", "pin here"] in [
+        stop and stop["pair"] for stop in read["joints"][0]["stops"]
+    ]
     assert main([str(script), "--seconds", "0.00001"]) == 3
     script.write_text("raise KeyboardInterrupt\n")
     assert main([str(script)]) == 130
@@ -128,9 +136,29 @@ def test_the_package_does_not_import_ocp():
 
 def arm():
     """Parts of build123d with all kinds of joints, and what moves them."""
-    from build123d import Axis, BallJoint, Box, Color, Compound, Cylinder, CylindricalJoint, LinearJoint, Location, RevoluteJoint, RigidJoint, Sphere
+    from build123d import (
+        Axis,
+        BallJoint,
+        Box,
+        Color,
+        Compound,
+        Cylinder,
+        CylindricalJoint,
+        LinearJoint,
+        Location,
+        RevoluteJoint,
+        RigidJoint,
+        Sphere,
+    )
 
-    sizes = {"base": Box(60, 40, 5), "leaf": Box(40, 20, 4), "cart": Box(5, 5, 5), "knob": Sphere(3), "rod": Cylinder(2, 30), "cap": Box(3, 3, 3)}
+    sizes = {
+        "base": Box(60, 40, 5),
+        "leaf": Box(40, 20, 4),
+        "cart": Box(5, 5, 5),
+        "knob": Sphere(3),
+        "rod": Cylinder(2, 30),
+        "cap": Box(3, 3, 3),
+    }
     for name, part in sizes.items():
         part.label = name
     sizes["leaf"].color = Color("red")
@@ -138,7 +166,9 @@ def arm():
     joints = {
         "hinge": RevoluteJoint("hinge", base, axis=Axis((30, 0, 2.5), (0, 1, 0.2)), angular_range=(0, 170)),
         "rail": LinearJoint("rail", leaf, axis=Axis((0, 3, 1.9), (1, 0.3, 0)), linear_range=(-10, 20)),
-        "tube": CylindricalJoint("tube", base, axis=Axis((-10, 0, 2.5), (0.3, 0, 1)), linear_range=(0, 50), angular_range=(0, 360)),
+        "tube": CylindricalJoint(
+            "tube", base, axis=Axis((-10, 0, 2.5), (0.3, 0, 1)), linear_range=(0, 50), angular_range=(0, 360)
+        ),
         "socket": BallJoint("socket", base, joint_location=Location((0, 20, 3), (10, 20, 30))),
     }
     ends = {
@@ -168,9 +198,13 @@ def test_poses_are_those_of_build123d():
     model, parts, move = arm()
     assembly = chasles.cad.load(model)
     robot = assembly.robot()
-    assert set(robot.variables) == set(NAMES) and assembly.parts["leaf"].colour == (1, 0, 0) and assembly.parts["rod"].colour is None
+    assert (
+        set(robot.variables) == set(NAMES) and assembly.parts["leaf"].colour == (1, 0, 0) and assembly.parts["rod"].colour is None
+    )
     at_rest = dict(zip(robot.variables, assembly.rest))
-    assert [round(at_rest[name], 9) for name in NAMES] == [round(v, 9) for v in [*np.radians([35]), 5, 12, *np.radians([77, 10, 20, 30])]]
+    assert [round(at_rest[name], 9) for name in NAMES] == [
+        round(v, 9) for v in [*np.radians([35]), 5, 12, *np.radians([77, 10, 20, 30])]
+    ]
     random, worst = np.random.default_rng(5), 0.0
     for _ in range(1000 if LONG else 100):
         values = random.uniform([0, -10, 0, 0, 1, 1, 1], [170, 20, 50, 360, 80, 80, 80])
