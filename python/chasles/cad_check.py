@@ -98,8 +98,11 @@ def check(
         return report
     for joint in joints:
         report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one(least_seconds))
-    for two in itertools.combinations(joints, 2) if pairs else ():
-        report.pairs.append(_Ranges(assembly, two, bodies, meant | touching, allowed_overlap, end).of_two(tolerance))
+    together = list(itertools.combinations(joints, 2)) if pairs else []
+    for number, two in enumerate(together):
+        now = time.monotonic()  # each pair has its share of the time that is left
+        until = now + max(end - now, 0.0) / (len(together) - number)
+        report.pairs.append(_Ranges(assembly, two, bodies, meant | touching, allowed_overlap, until).of_two(tolerance))
     return report
 
 

@@ -160,6 +160,7 @@ class Report:
             "ignore_touching": self.ignore_touching,
             "allowed_overlap": self.allowed_overlap,
             "warnings": self.warnings,
+            "is_complete": self.is_complete,
             "least": None if self.least is None else dataclasses.asdict(self.least),
             **rows,
         }
