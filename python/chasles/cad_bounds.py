@@ -59,10 +59,22 @@ def torus(points: Array, triangles: Triangles, parameters: Array, major: float, 
     around = major + minor * np.cos(v)
     true = np.column_stack([around * np.cos(u), around * np.sin(u), minor * np.sin(v)])
     away = np.linalg.norm(points - true, axis=1).max(initial=0.0)
+    if major < minor:
+        return float("inf")
     corner = parameters[triangles]
-    du, dv = np.moveaxis(corner.max(axis=1) - corner.min(axis=1), -1, 0)
-    bends = (major + minor) * du**2 + 2 * minor * du * dv + minor * dv**2
+    lower, upper = corner.min(axis=1), corner.max(axis=1)
+    du, dv = (upper - lower).T
+    cosine = _largest_cosine(lower[:, 1], upper[:, 1])
+    sine = _largest_cosine(2 * (lower[:, 1] - np.pi / 2), 2 * (upper[:, 1] - np.pi / 2))  # of sin^2 v = (1 + cos(2 v - pi)) / 2
+    sine = np.sqrt((1 + sine) / 2)
+    bends = (major + minor * cosine) * du**2 + 2 * minor * sine * du * dv + minor * dv**2
     return float(away + bends.max(initial=0.0) / 8)
+
+
+def _largest_cosine(lower: Array, upper: Array) -> Array:
+    """Of all angles between both ends."""
+    has_one = np.floor(upper / (2 * np.pi)) > np.floor(lower / (2 * np.pi))
+    return np.where(has_one, 1.0, np.maximum(np.cos(lower), np.cos(upper)))
 
 
 def plane(points: Array) -> float:
