@@ -192,7 +192,7 @@ class _Ranges:
         self.index = {name: number for number, name in enumerate(self.robot.variables)}
 
     def left(self) -> float:
-        return max(self.end - time.monotonic(), 1e-3)
+        return max(self.end - time.monotonic(), 1e-6)
 
     def limits(self, joint: Joint) -> tuple[float, float]:
         """Where a joint ends. Without a limit, a turn; or so far that nothing of the assembly is left beside the part."""
@@ -235,7 +235,7 @@ class _Ranges:
         for share in MARGINS:
             if near is None or near.pair is None or not near.distance_upper > 0:
                 break
-            with Limit(max(end - time.monotonic(), 1e-3)):
+            with Limit(max(end - time.monotonic(), 1e-6)):
                 found = RobotChecker(self.robot, margin=share * near.distance_upper).first_contact_on_path(path)
             if found.verdict == "unknown":
                 break
@@ -253,7 +253,7 @@ class _Ranges:
         """The nearest one so far, and that at another value."""
         row = row.copy()
         row[number] = value
-        with Limit(max(end - time.monotonic(), 1e-3)):
+        with Limit(max(end - time.monotonic(), 1e-6)):
             found = checker.least_distance(row, row, 1e-3)
         is_nearer = found.pair is not None and found.contacts and (near is None or found.distance_upper < near.distance_upper)
         return found if is_nearer else near

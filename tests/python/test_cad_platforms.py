@@ -120,7 +120,8 @@ def test_the_command_runs_programs(step, tmp_path, capsys):
     assert read["verdict"] == "contact" and ["block here", "pin here"] in [
         stop and stop["pair"] for stop in read["joints"][0]["stops"]
     ]
-    assert main([str(script), "--seconds", "0.00001"]) == 3
+    script.write_text("import cad_cases\nassembly = cad_cases.discs()[0]\n")
+    assert main([str(script), "--seconds", "0.000001"]) == 3
     script.write_text("raise KeyboardInterrupt\n")
     assert main([str(script)]) == 130
     script.write_text("1 / 0\n")
