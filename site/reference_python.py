@@ -48,6 +48,7 @@ MODULES = {
     "pinocchio": ("Models of Pinocchio", "chasles.pinocchio"),
     "ros": ("Trajectories of ROS", "chasles.ros"),
     "gltf": ("Animations of glTF", "chasles.gltf"),
+    "cad": ("Assemblies of CAD", "chasles.cad"),
     "mujoco": ("Models and recordings of MuJoCo", "chasles.mujoco"),
     "ompl": ("Planners of OMPL", "chasles.ompl"),
     "policy": ("A gate for policies", "chasles.policy"),

@@ -20,6 +20,7 @@ def test_example(example, tmp_path):
         except importlib.metadata.PackageNotFoundError:
             pytest.skip("no robots: example_robot_data is not installed")
     for package in ("coal", "matplotlib", "mujoco", "ompl", "pinocchio", "pydrake.geometry"):
+    for package in ("build123d", "matplotlib", "mujoco", "ompl", "pinocchio"):
         if f"import {package}" in text or f"from {package} import" in text:
             pytest.importorskip(package)
     for package in ("jax", "torch"):  # not imported here: they keep objects of other tests until the process ends

@@ -1,0 +1,112 @@
+"""The bounds of tessellations: OCCT's own points of surfaces and edges, and its own distances, refute none."""
+
+import os
+
+import numpy as np
+import pytest
+
+import chasles
+
+pytest.importorskip("OCP")
+import chasles.cad  # noqa: E402
+import cad_shapes as cs  # noqa: E402
+from chasles import cad_bounds, cad_faces  # noqa: E402
+from chasles.cad_faces import tessellate  # noqa: E402
+
+LONG = bool(os.environ.get("CHASLES_LONG"))
+TILT = dict(axis=(1, 2, 3), degrees=40)
+SHAPES = {
+    "cylinder": lambda: cs.cylinder(5, 20, (1, 2, 3), **TILT),
+    "cone": lambda: cs.cone(5, 2, 8, (3, 1, 0)),
+    "cone with its apex": lambda: cs.cone(5, 0, 8),
+    "cone that widens": lambda: cs.cone(1, 6, 8),
+    "sphere": lambda: cs.ball(4, (1, 1, 1)),
+    "torus": lambda: cs.torus(9, 3),
+    "narrow ring": lambda: cs.torus(20, 0.5),
+    "bore": lambda: cs.cut(cs.box(20, 20, 10), cs.cylinder(4, 10, (10, 10, 0)), cs.cone(3, 6, 5, (4, 4, 5))),
+    "cylinders that cross": lambda: cs.fuse(cs.cylinder(5, 20), cs.cylinder(3, 30, (-15, 0, 10), axis=(0, 1, 0), degrees=90)),
+    "bore across a cylinder": lambda: cs.cut(cs.cylinder(5, 20), cs.cylinder(2, 30, (-15, 1, 10), axis=(0, 1, 0), degrees=90)),
+    "cylinder cut askew": lambda: cs.cut(
+        cs.cylinder(5, 20), cs.moved(cs.box(40, 40, 40), (-20, -20, 12), axis=(1, 0.3, 0), degrees=25)
+    ),
+    "sphere cut askew": lambda: cs.cut(cs.ball(5), cs.moved(cs.box(20, 20, 20), (1, -10, -10), axis=(0, 1, 1), degrees=20)),
+    "cone cut askew": lambda: cs.cut(cs.cone(6, 3, 10), cs.moved(cs.box(40, 40, 40), (-20, -20, 6), axis=(1, 0, 0), degrees=20)),
+    "torus with a bore": lambda: cs.cut(cs.torus(10, 3), cs.cylinder(1, 30, (10, 0, -15))),
+    "placed cone": lambda: cs.placed(cs.cone(5, 2, 8), cs.matrix((1, 2, 3), (1, 2, 3), 70)),
+    "mirrored bore": lambda: cs.mirrored(cs.cut(cs.box(20, 20, 10), cs.cone(3, 6, 5, (9, 9, 5)))),
+    "mirrored torus with a bore": lambda: cs.mirrored(cs.cut(cs.torus(10, 3), cs.cylinder(1, 30, (10, 0, -15)))),
+    "lens": lambda: cs.common(cs.ball(5, (0, 0, -3)), cs.ball(5, (0.5, 0, 3))),
+}
+
+
+def checked(shape, deflection, angle, seed=1, count=40):
+    """How far OCCT's points are from the triangles at most, and the triangles' points from OCCT's surface; and the bound."""
+    random, mesh = np.random.default_rng(seed), tessellate(shape, deflection, angle)
+    surface = chasles.Polyhedron(mesh.vertices, mesh.triangles, solid="no")
+    assert chasles.Polyhedron(mesh.vertices, mesh.triangles).report.solid_parts == 1
+    points = cs.points_of_surface(shape, count, random)
+    poses = np.column_stack([points, np.tile([1.0, 0, 0, 0], (len(points), 1))])
+    table = chasles.least_distance_batch(chasles.sphere(1e-9), surface, poses, poses)
+    faces = mesh.triangles[random.integers(len(mesh.triangles), size=count)]
+    weights = random.dirichlet([1, 1, 1], count)
+    inner = np.einsum("ij,ijk->ik", weights, mesh.vertices[faces])
+    shell = next(cs.explored(shape, cs.TopAbs_ShapeEnum.TopAbs_SHELL))
+    return table["distance_upper"].max() + 1e-9, max(cs.distance_of_point(p, shell) for p in inner), mesh
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_no_point_is_farther_than_the_bound(name):
+    shape, found = SHAPES[name](), []
+    for deflection, angle in [(0.02, 0.3), (0.3, 0.8)] + ([(0.001, 0.1), (0.1, 0.2), (1.0, 1.0)] if LONG else []):
+        shape = SHAPES[name]()
+        out, back, mesh = checked(shape, deflection, angle, count=400 if LONG else 40)
+        assert not any("free-form" in kind for kind in mesh.kinds), mesh.kinds
+        assert out <= mesh.bound + 1e-8 and back <= mesh.bound + 1e-8, (out, back, mesh.bound)
+        found.append(mesh.bound / max(out, back))
+    assert min(found) < 4, found  # and none is far above what is found
+
+
+def test_planes_with_straight_edges_are_exact():
+    mesh = tessellate(
+        cs.cut(cs.moved(cs.box(3, 4, 5), (1, 2, 3), **TILT), cs.moved(cs.box(1, 1, 9), (2, 3, 0), **TILT)), 0.1, 0.3
+    )
+    assert mesh.bound == 0 and len(mesh.curved) == 0 and set(mesh.kinds) == {"plane"}
+
+
+def test_planes_beside_curved_faces_stay_exact():
+    mesh = tessellate(cs.cut(cs.box(20, 20, 10), cs.cylinder(4, 10, (10, 10, 0))), 0.05, 0.3)
+    flat = np.setdiff1d(np.arange(len(mesh.triangles)), mesh.curved)
+    assert len(flat) > 10 and len(mesh.curved) > 0 and 0 < mesh.bound < 0.1
+    heights = mesh.vertices[mesh.triangles[flat]]
+    is_in = (np.abs(heights) < 1e-12).all(axis=1) | (np.abs(heights - [20, 20, 10]) < 1e-12).all(axis=1)
+    assert is_in.any(axis=1).all()  # each is in one of the six planes of the box
+
+
+def test_free_form_faces_are_said_to_be_such():
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
+
+    part = chasles.cad_assembly.Part(
+        "x", np.eye(4), None, None, 0.1, tessellate(BRepBuilderAPI_NurbsConvert(cs.cylinder(5, 9)).Shape(), 0.05, 0.3).kinds, None
+    )
+    assert not part.is_proven and part.kinds["free-form"] >= 1
+
+
+def test_the_sagitta_of_a_cylinder_is_the_bound():
+    u = np.array([0.0, 0.2, 0.2])
+    points = np.column_stack([5 * np.cos(u), 5 * np.sin(u), [0, 0, 9]])
+    bound = cad_bounds.of_revolution(points, np.array([[0, 1, 2]]), u, 5.0, 0.0)
+    assert bound == pytest.approx(5 * (1 - np.cos(0.1)), rel=1e-12)
+
+
+def test_triangles_about_an_axis_have_no_bound():
+    u = np.array([0.0, 2.2, 4.4])
+    points = np.column_stack([np.cos(u), np.sin(u), [0, 0, 0]])
+    assert cad_bounds.of_revolution(points, np.array([[0, 1, 2]]), u, 1.0, 0.0) == np.inf
+    assert cad_bounds.arcs(1.0, np.array([0.0, 4.0])) == np.inf
+
+
+def test_edges_count(monkeypatch):
+    """A face whose edges are farther from their chords than its triangles from the surface."""
+    edges = cad_faces._Face._edges
+    monkeypatch.setattr(cad_faces._Face, "_edges", lambda face, *given: (0.7, edges(face, *given)[1]))
+    assert tessellate(cs.ball(4), 0.02, 0.3).bound >= 0.7
