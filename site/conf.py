@@ -41,8 +41,7 @@ breathe_projects = {"chasles": str(MADE / "doxygen" / "xml")}
 breathe_default_project = "chasles"
 cpp_maximum_signature_line_length = 88
 
-autodoc_mock_imports = ["coal", "mujoco", "ompl", "pinocchio", "pydrake", "pyarrow", "dask", "tqdm", "lerobot", "torch"]
-autodoc_mock_imports = ["OCP", "mujoco", "ompl", "pyarrow", "dask", "tqdm", "lerobot", "torch"]
+autodoc_mock_imports = ["OCP", "coal", "mujoco", "ompl", "pinocchio", "pydrake", "pyarrow", "dask", "tqdm", "lerobot", "torch"]
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
 python_maximum_signature_line_length = 88

@@ -37,7 +37,7 @@ void refuse_step(std::string_view bytes, std::string_view extension, const MeshF
         throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
                            ", which holds curved surfaces, not polygons; export it as " +
                            std::string(formats.for_export) +
-                           (is_ifc ? "" : ", or tessellate it (in Python: build123d or CadQuery, tessellate)"));
+                           (is_ifc ? "" : ", or ask `chasles cad` (pip install \"chasles[cad]\"), which tessellates it with a bound"));
     }
     if (extension == ".step" || extension == ".stp")
         throw InvalidInput("is no STEP file, though its extension says so; " + std::string(formats.extensions) +

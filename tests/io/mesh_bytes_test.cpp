@@ -53,7 +53,7 @@ TEST(MeshBytes, EveryWayOutLeadsToAFormatThatIsReadHere) {
     EXPECT_EQ(
         refusal(step + "AUTOMOTIVE_DESIGN\"));", "a.step"),
         "a.step: is a STEP file, which holds curved surfaces, not polygons; export it as OBJ, OFF, PLY or STL, or "
-        "tessellate it (in Python: build123d or CadQuery, tessellate)");
+        "ask `chasles cad` (pip install \"chasles[cad]\"), which tessellates it with a bound");
     EXPECT_EQ(refusal("v 0 0 0\n", "a.step"),
               "a.step: is no STEP file, though its extension says so; .obj, .off, .ply, "
               ".stl, .bt and .ot are read");

@@ -114,7 +114,7 @@ TEST_F(MeshFiles, TellsStepFromIfcWhateverTheExtension) {
     const std::string start = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA((\"";
     const std::string is_step =
         ": is a STEP file, which holds curved surfaces, not polygons; export it as glTF, 3MF, STL "
-        "or OBJ, or tessellate it (in Python: build123d or CadQuery, tessellate)";
+        "or OBJ, or ask `chasles cad` (pip install \"chasles[cad]\"), which tessellates it with a bound";
     for (const char* const name : {"a.step", "a.STP", "a.obj", "a.p21"})
         EXPECT_EQ(message(name, start + "AUTOMOTIVE_DESIGN\"));\n#1=IFCWALL();"), name + is_step);
     EXPECT_EQ(message("a.ifc", start + "IFC4\"));"),

@@ -19,8 +19,7 @@ def test_example(example, tmp_path):
             importlib.metadata.distribution("example_robot_data")
         except importlib.metadata.PackageNotFoundError:
             pytest.skip("no robots: example_robot_data is not installed")
-    for package in ("coal", "matplotlib", "mujoco", "ompl", "pinocchio", "pydrake.geometry"):
-    for package in ("build123d", "matplotlib", "mujoco", "ompl", "pinocchio"):
+    for package in ("build123d", "coal", "matplotlib", "mujoco", "ompl", "pinocchio", "pydrake.geometry"):
         if f"import {package}" in text or f"from {package} import" in text:
             pytest.importorskip(package)
     for package in ("jax", "torch"):  # not imported here: they keep objects of other tests until the process ends

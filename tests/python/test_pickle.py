@@ -207,8 +207,6 @@ def public_types():
         # tests of the adapters pickle what they have, such as an Audit
         is_optional = file.stem in ("ompl", "lerobot", "pinocchio") or file.stem.startswith(("mujoco", "drake", "gltf", "cad"))
         if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question", "robot_tree", "ros_node"):  # or of the package's own use
-        is_optional = file.stem in ("ompl", "lerobot") or file.stem.startswith(("mujoco", "cad"))  # test_mujoco_audit.py pickles an Audit
-        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question"):  # or of the package's own use
             continue
         module = importlib.import_module(f"chasles.{file.stem}")
         for name, value in vars(module).items():
