@@ -67,12 +67,16 @@ void allow(Robot& robot, const Scene* scene, const std::string& given) {
         at_place("--allow", [&] { robot.ignore(pair.link, pair.other); });
 }
 
-/// The name of the file without its ending, with a number if that is taken.
-std::string part_name(const Robot& robot, const Scene* scene, const std::filesystem::path& mesh) {
+/// The name of the file without its ending, with a number if that is taken, and a warning.
+std::string part_name(const Robot& robot, const Scene* scene, const std::filesystem::path& mesh,
+                      std::vector<std::string>& warnings) {
     const std::string stem = mesh.stem().string();
     std::string name = stem;
     for (int number = 2; has_link(robot, name) || has_body(scene, name); ++number)
         name = stem + '_' + std::to_string(number);
+    if (name != stem)
+        warnings.push_back("--attach: the name " + io::in_quotes(stem) + " is taken: the part has the name " +
+                           io::in_quotes(name));
     return name;
 }
 
@@ -84,7 +88,8 @@ void attach(Robot& robot, const Scene* scene, const std::string& given, const Po
     const std::string link = given.substr(0, first), mesh = given.substr(first + 1, second - first - 1);
     at_place("--attach", [&] {
         const Pose pose = at_place(io::in_quotes(given), [&] { return io::parse_pose(given.substr(second + 1)); });
-        robot.attach({part_name(robot, scene, mesh), link, load_with_unit(mesh, polyhedron, warnings).body, pose});
+        robot.attach(
+            {part_name(robot, scene, mesh, warnings), link, load_with_unit(mesh, polyhedron, warnings).body, pose});
     });
 }
 

@@ -1,10 +1,14 @@
 // Makes a robot and a scene ready for many questions.
 #include "chasles/robot/prepared.h"
 
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
 #include "chasles/motion/screw_path.h"
 #include "chasles/query/requirements.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 namespace chasles {
 
@@ -101,8 +105,20 @@ void RobotChecker::Prepared::add_self_pairs() {
         }
 }
 
+/// An answer that names a pair has to say which body or link it means.
+void RobotChecker::Prepared::require_own_names() const {
+    std::set<std::string_view> names;
+    for (const Element& element : model().elements)
+        names.insert(model().owners[element.owner].name);
+    for (const SceneBody& body : bodies)
+        if (names.contains(body.name))
+            throw InvalidInput("scene: " + io::in_quotes(body.name) +
+                               " is a body of the scene and a link or part of the robot; rename the body");
+}
+
 void RobotChecker::Prepared::add_scene(const Scene& scene) {
     bodies.assign(scene.bodies().begin(), scene.bodies().end());
+    require_own_names();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         motions.push_back(std::make_shared<const scene::WorldMotion>(scene.motion_of(i)));
         const motion::MovingFrame& frame = *motions[i]->frame;

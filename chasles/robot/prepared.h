@@ -58,6 +58,7 @@ struct RobotChecker::Prepared {
     [[nodiscard]] const robot::Model& model() const { return robot.model(); }
     void prepare_robot();
     void add_self_pairs();
+    void require_own_names() const;
     void add_scene(const Scene& scene);
     /// The question about a task: with its margin, and with `hold` if that is less.
     [[nodiscard]] QueryOptions options_of(const robot::Task& task) const;

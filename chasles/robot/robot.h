@@ -250,7 +250,7 @@ struct [[nodiscard]] RobotGradient {
 class CHASLES_EXPORT RobotChecker {
 public:
     /// `scene` may be null: then the robot is tested against itself only. Throws InvalidInput for an option out of its
-    /// range.
+    /// range, and for a body of the scene with the name of a link with shapes or of a part.
     explicit RobotChecker(const Robot& robot, const Scene* scene = nullptr, const RobotQuery& query = {});
     ~RobotChecker();
     RobotChecker(const RobotChecker&);

@@ -25,7 +25,6 @@
 #include <utility>
 
 namespace chasles::robot {
-
 namespace {
 
 using Eigen::Vector3d;
@@ -232,20 +231,18 @@ double UrdfReader::limit(const XmlElement& element, const char* attribute) const
     return file_.number(element, attribute);
 }
 
-/// Limits in the wrong order are a way to say that there are none.
 void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) {
     const XmlElement* const given = file_.child(element, "limit");
-    const bool has_several_variables = joint.type == JointType::planar || joint.type == JointType::floating;
-    if (has_several_variables && given && (given->Attribute("lower") || given->Attribute("upper")))
-        warnings_.push_back(file_.place_of(element) +
-                            "limit: lower and upper are not read: the joint has several variables, without limits");
+    const bool has_ends = given && (given->Attribute("lower") || given->Attribute("upper"));
+    if (has_ends && (joint.type == JointType::planar || joint.type == JointType::floating))
+        warnings_.push_back(file_.place_of(element) + "limit: is not read: the joint has several variables");
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
         return;
     if (!given)
         file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
                                                               : "has no <limit>");
     file_.require_no_misspelt_attribute(*given, {"lower", "upper"});
-    if (!given->Attribute("lower") && !given->Attribute("upper") && !file_.child(element, "mimic"))
+    if (!has_ends && !file_.child(element, "mimic"))
         warnings_.push_back(file_.place_of(*given) + "has no lower and no upper: both are 0, as URDF says");
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
@@ -253,7 +250,7 @@ void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) 
         return;
     warnings_.push_back(file_.place_of(element) + "limit: the lower one, " + number_text(joint.lower) +
                         ", is above the upper one, " + number_text(joint.upper) + ": the joint has no limits");
-    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.lower = -std::numeric_limits<double>::infinity(); // the wrong order is a way to say that there are none
     joint.upper = std::numeric_limits<double>::infinity();
 }
 

@@ -67,8 +67,8 @@ def first_contact_parquet(
     Each row group of the motions is a partition. `first_contact_batch` answers it with ``errors="mark"``, and its
     results become one file in `out`. A run skips the partitions that an earlier run finished, so it resumes a run that
     was interrupted or lost its cluster. A file of results that a crash has damaged is written anew. A folder with
-    results for other bodies, motions or options is refused: the results of a partition hold a digest of its rows. If a worker is killed, other workers repeat the partitions
-    that it was working on.
+    results for other bodies, motions or options is refused: the results of a partition hold a digest of its rows. If a
+    worker is killed, other workers repeat the partitions that it was working on.
 
     Parameters
     ----------

@@ -116,7 +116,7 @@ TEST_F(RadiusCommand, IsAddedToRoundBodiesAroundRobots) {
     write("point.xyz", "0 0 0\n");
     for (const std::string shape :
          {R"("sphere": 1)", R"("capsule": [1, 0.5])", R"("points": "point.xyz", "radius": 1)"}) {
-        write("scene.json", R"({"bodies": [{"name": "ball", )" + shape + R"(, "pose": [0, 1.7, 0]}]})");
+        write("scene.json", R"({"bodies": [{"name": "other", )" + shape + R"(, "pose": [0, 1.7, 0]}]})");
         const std::string robot = "robot slide.urdf --path path.csv --scene scene.json ";
         EXPECT_EQ(answer(robot)["verdict"], "clear") << shape;
         EXPECT_NEAR(answer(robot + "--radius 0,0.3")["time"], (10 - std::sqrt(1.8 * 1.8 - 1.7 * 1.7)) / 20, 1e-11);

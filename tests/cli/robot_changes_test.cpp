@@ -59,6 +59,7 @@ TEST_F(RobotChangesCommand, CarriesMeshesByName) {
         "clear");
     const Json two = json("--attach l2,block.obj,1.5,0,3 --attach 'l1,block.obj,0 0 -1 1 0 0 0' --allow block,block_2");
     EXPECT_EQ(two["untested"]["reasons"].back()["pairs"].back(), Json({"block", "block_2"}));
+    EXPECT_EQ(two["warnings"], Json({"--attach: the name 'block' is taken: the part has the name 'block_2'"}));
 }
 
 /// Who mends a start needs all of them.
@@ -178,6 +179,8 @@ TEST_F(RobotChangesCommand, RefusesWrongChangesInOneLine) {
     write("l1.json", R"({"bodies": [{"name": "l1", "mesh": "cube.obj", "pose": [9, 9, 9]}]})");
     EXPECT_EQ(refused("--scene l1.json --allow base,l1"),
               "chasles: --allow: 'base,l1': 'l1' is a link and a body of the scene; rename the body");
+    EXPECT_EQ(refused("--scene l1.json"),
+              "chasles: scene: 'l1' is a body of the scene and a link or part of the robot; rename the body");
     EXPECT_EQ(refused("--attach l1,block.obj"), "chasles: --attach: 'l1,block.obj' is not of the form LINK,MESH,POSE");
     EXPECT_EQ(refused("--attach leg,block.obj,1,2,3"), "chasles: --attach: robot: leg: there is no such link or part");
     EXPECT_EQ(refused("--attach l1,no.obj,1,2,3"), "chasles: --attach: no.obj: no such file");

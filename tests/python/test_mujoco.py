@@ -234,6 +234,12 @@ def test_what_deforms_is_refused_by_name():
         chasles.InvalidInput, match=r"^qpos: the shape is \(3,\); \(\d+,\), or \(states, \d+,\) is needed$"
     ):
         chasles.mujoco.configurations(model, [1, 2, 3])
+    data = mujoco.MjData(model)
+    for function in (chasles.mujoco.configurations, chasles.mujoco.audit):
+        with pytest.raises(chasles.InvalidInput, match="^qpos: is an MjData; give arrays of its numbers, such as a copy of its"):
+            function(model, data)
+        with pytest.raises(chasles.InvalidInput, match="^qpos: not an array of numbers: "):
+            function(model, [["x"]])
 
 
 RING = """<mujoco><extension><plugin plugin="mujoco.sdf.torus"><instance name="ring"/></plugin></extension>

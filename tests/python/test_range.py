@@ -105,6 +105,16 @@ def test_what_is_no_box_is_refused(arm, scene):
         arm.range([0, 1], [0, 1])
     with pytest.raises(chasles.InvalidInput, match="there is no such variable"):
         arm.box_of_joints(["wrist"])
+    base = chasles.Robot(
+        links=[{"name": "ground"}, {"name": "base"}],
+        joints=[{"name": "floor", "type": "planar", "parent": "ground", "child": "base"}],
+    )
+    with pytest.raises(
+        chasles.InvalidInput,
+        match="^range: floor/x: has no limits; give the ends of its range: leave it out here, and set them in the arrays "
+        "lower and upper that come back$",
+    ):
+        base.box_of_joints(["floor/x"])
     with pytest.raises(chasles.InvalidInput, match="^range: around: shoulder is 2, outside of the box, from 0 to 1$"):
         arm.clear_box([0, 0], [1, 1], around=[2, 0])
     moving = chasles.Scene()

@@ -128,6 +128,27 @@ TEST(Robot, TouchesAWallWhereGeometrySays) {
     EXPECT_NEAR(found.contact.contacts.at(0).point.y(), 1, 1e-11);
 }
 
+/// A pair of names could mean a body or a link. A link without shapes is in no pair.
+TEST(Robot, RefusesBodiesWithNamesOfItsOwn) {
+    RobotDescription description = planar_arm();
+    description.links.push_back({"frame"});
+    description.joints.push_back({.name = "fixed", .parent = "bar3", .child = "frame"});
+    Robot robot(description);
+    robot.attach({"rod", "bar3", box({1, 0.02, 0.02}).polyhedron(), shifted(2, 0, 0)});
+    for (const char* const name : {"bar3", "rod"}) {
+        Scene scene;
+        scene.add({name, box({1, 1, 1}).polyhedron(), Motion::at_rest(shifted(0, 9, 0))});
+        EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, &scene); }),
+                  "scene: '" + std::string(name) +
+                      "' is a body of the scene and a link or part of the robot; rename the body");
+    }
+    for (const char* const name : {"frame", "bar4"}) {
+        Scene scene;
+        scene.add({name, box({1, 1, 1}).polyhedron(), Motion::at_rest(shifted(0, 9, 0))});
+        EXPECT_NO_THROW((void)RobotChecker(robot, &scene)) << name;
+    }
+}
+
 TEST(Robot, CarriesPartsAndIgnoresPairs) {
     Robot robot(planar_arm());
     Scene scene;

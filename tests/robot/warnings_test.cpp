@@ -112,8 +112,7 @@ TEST_F(RobotWarnings, LimitsOfJointsWithSeveralVariablesAreNotRead) {
         const RobotDescription robot = read("revolute", type);
         ASSERT_EQ(robot.warnings.size(), 1U) << type;
         EXPECT_EQ(without_folder(robot.warnings[0]),
-                  "robot.urdf:7: <joint turn>: limit: lower and upper are not read: the joint has several variables, "
-                  "without limits");
+                  "robot.urdf:7: <joint turn>: limit: is not read: the joint has several variables");
     }
 }
 
