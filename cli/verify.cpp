@@ -1,8 +1,8 @@
 // chasles verify: does a certificate prove what it claims?
+#include "tools/verify.h"
 #include "chasles/base/invalid_input.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "tools/verify.h"
 
 #include <fstream>
 #include <memory>
@@ -38,7 +38,8 @@ int run_verify(const VerifyOptions& options) {
 void add_verify(CLI::App& app, Task& task) {
     const auto options = std::make_shared<VerifyOptions>();
     CLI::App& command = *app.add_subcommand("verify", "Does a certificate prove what it claims?");
-    command.footer("Exit status: 0 verified, 1 not verified, 2 usage or a file that cannot be read. Meshes are OBJ or STL files.");
+    command.footer(
+        "Exit status: 0 verified, 1 not verified, 2 usage or a file that cannot be read. Meshes are OBJ or STL files.");
     command.add_option("MOVING", options->moving, "mesh of the moving body")->required();
     command.add_option("FIXED", options->fixed, "mesh of the fixed body")->required();
     command.add_option("CERTIFICATE", options->certificate, "what --certificate wrote")->required();

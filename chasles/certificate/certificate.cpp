@@ -51,7 +51,8 @@ std::vector<ScrewMotion> pieces_of(const Motion& motion) {
     if (!screw)
         throw InvalidInput("certificate: only the motions that are the paper's screw are certified so far");
     if (screw->get().ends().fixed)
-        throw InvalidInput("certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
+        throw InvalidInput(
+            "certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
     std::vector<ScrewMotion> pieces;
     const motion::ScrewPieces all = screw->get().pieces();
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -103,7 +104,8 @@ private:
 
     [[nodiscard]] std::string head() const {
         const bool a = moving_.body().volume().is_solid(), b = fixed_.body().volume().is_solid();
-        std::string text = "chasles certificate 1\nmoving" + body_line(moving_) + "fixed" + body_line(fixed_) + "solid ";
+        std::string text =
+            "chasles certificate 1\nmoving" + body_line(moving_) + "fixed" + body_line(fixed_) + "solid ";
         text += a && b ? "both\n" : a ? "moving\n" : b ? "fixed\n" : "none\n";
         text += line("radius", {moving_.radius(), fixed_.radius()}) + line("margin", {options_.margin});
         text += motion_lines(pieces_);
@@ -195,7 +197,8 @@ Certificate certify(const FirstContactQuery& query) {
 }
 
 bool is_about(const std::string& text, const Motion& motion) {
-    return text.find("\n" + certificate::motion_lines(certificate::pieces_of(motion)) + "verdict ") != std::string::npos;
+    return text.find("\n" + certificate::motion_lines(certificate::pieces_of(motion)) + "verdict ") !=
+           std::string::npos;
 }
 
 } // namespace chasles

@@ -53,11 +53,13 @@ void check_body(const Polyhedron& body, const std::string& name) {
     for (std::size_t face = 0; face < body.face_count(); ++face)
         if (body.source_face(face) != face)
             refuse("face " + std::to_string(body.source_face(face)) +
-                   " was cut, or stands behind one without area that was left out; only meshes whose faces are all kept are certified");
+                   " was cut, or stands behind one without area that was left out; only meshes whose faces are all "
+                   "kept are certified");
     if (report.dropped_faces + report.segments > 0)
         refuse("it has faces without area, which are not certified");
     if (body.body().volume().is_solid() && !is_closed(body))
-        refuse("some of its surface is closed, but not every edge is one of exactly two faces; with the option solid = no, "
+        refuse("some of its surface is closed, but not every edge is one of exactly two faces; with the option solid = "
+               "no, "
                "its surface can be certified");
 }
 

@@ -23,7 +23,7 @@ public:
     struct Node {
         explicit Node(std::uint32_t first, std::uint32_t last) : begin(first), end(last) {}
         std::uint32_t begin, end;
-        std::uint32_t parts = 0; ///< the first of two nodes; 0 if there is one face only
+        std::uint32_t parts = 0;                          ///< the first of two nodes; 0 if there is one face only
         std::uint32_t first_corner = 0, corner_count = 0; ///< of nodes with few faces
         Corner centre, half;                              ///< of a box around the corners, and of its sides
         double extent = 0;                                ///< the diagonal of the box

@@ -16,6 +16,12 @@ using algebra::DoubleDouble;
 using algebra::Matrix3;
 using algebra::Vector3;
 
+using Wide = Vector3<DoubleDouble>;
+
+inline Wide widened(const Vector3<double>& v) {
+    return {DoubleDouble(v.x), DoubleDouble(v.y), DoubleDouble(v.z)};
+}
+
 /// Part of a piece, in tau.
 struct Cell {
     DoubleDouble lower;
@@ -59,8 +65,7 @@ public:
         const Vector3<S>&a = screw.axis, &m = screw.moment, &d = screw.displacement, &t = screw.origin;
         const Matrix3<S> turning = times(a, screw.orientation), again = times(a, turning);
         const S two(2);
-        linear_ = {screw.orientation, scale(turning, two),
-                   scale(screw.orientation, square_) + scale(again, two)};
+        linear_ = {screw.orientation, scale(turning, two), scale(screw.orientation, square_) + scale(again, two)};
         shift_ = {t, d + scale(m, two), scale(t, square_) + scale(cross(a, m), two), scale(d, square_)};
     }
 
@@ -72,8 +77,8 @@ public:
         return scale(sum, S(S(1) / weight(tau)));
     }
     [[nodiscard]] Vector3<S> turned(const Vector3<S>& direction, const S& tau) const {
-        const Vector3<S> sum = linear_[0] * direction + scale(linear_[1] * direction, tau) +
-                               scale(linear_[2] * direction, S(tau * tau));
+        const Vector3<S> sum =
+            linear_[0] * direction + scale(linear_[1] * direction, tau) + scale(linear_[2] * direction, S(tau * tau));
         return scale(sum, S(S(1) / weight(tau)));
     }
     [[nodiscard]] S weight(const S& tau) const { return S(1) + square_ * tau * tau; }

@@ -11,16 +11,10 @@ namespace chasles::certificate {
 
 namespace {
 
-using Wide = Vector3<DoubleDouble>;
-
 /// Of all lengths that enter: what rounding may take, in double and in double-double. Nothing is proven by these: the
 /// steps are checked in exact numbers.
 constexpr double rounding = 1e-14;
 constexpr double refined_rounding = 1e-28;
-
-Wide widened(const Corner& v) {
-    return {DoubleDouble(v.x), DoubleDouble(v.y), DoubleDouble(v.z)};
-}
 
 Integer nearest_integer(const DoubleDouble& value) {
     const double high = std::nearbyint(value.high());
@@ -82,8 +76,11 @@ Corner farthest(const FaceTree& tree, const FaceTree::Node& node, const Corner& 
     };
     const Corner sizes{std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
     return tree
-        .greatest(node, [&](const FaceTree::Node& n) { return dot(n.centre, direction) + dot(n.half, sizes); },
-                  [&](const Corner& c) { return Height{dot(c, direction), c}; })
+        .greatest(
+            node, [&](const FaceTree::Node& n) { return dot(n.centre, direction) + dot(n.half, sizes); },
+            [&](const Corner& c) {
+                return Height{dot(c, direction), c};
+            })
         .corner;
 }
 
@@ -126,10 +123,12 @@ S PieceOfBodies::least_of(const PiecePolynomials<S>& polynomials, const Wide& no
         b, [&](const Node& node) { return dot(node.centre, direction) + dot(node.half, sizes) + slack; },
         [&](const Corner& c) { return S(n.x * S(c.x) + n.y * S(c.y) + n.z * S(c.z)); });
     if (reach_ > DoubleDouble(0))
-        offset = offset + (length(n) + S(1)) * S(reach_); // the least integer that is no less than the length is below that
+        offset =
+            offset + (length(n) + S(1)) * S(reach_); // the least integer that is no less than the length is below that
     const PlaneForm<S> form = polynomials.against(n, offset, cell);
-    return S(0) - moving_.greatest(a, [&](const Node& node) { return slack - form.least_in(node.centre, node.half); },
-                                   [&](const Corner& c) { return S(S(0) - form.least(c)); });
+    return S(0) - moving_.greatest(
+                      a, [&](const Node& node) { return slack - form.least_in(node.centre, node.half); },
+                      [&](const Corner& c) { return S(S(0) - form.least(c)); });
 }
 
 std::optional<IntegerNormal> PieceOfBodies::along(const Wide& direction, double gap, const Node& a, const Node& b,
@@ -151,8 +150,8 @@ std::optional<IntegerNormal> PieceOfBodies::along(const Wide& direction, double 
     return least > refined_rounding * size_ ? std::optional(normal) : std::nullopt;
 }
 
-std::optional<IntegerNormal> PieceOfBodies::separate(const Node& a, const Node& b, const Cell& cell,
-                                                     const Corner& hint, NotSeparated& why) const {
+std::optional<IntegerNormal> PieceOfBodies::separate(const Node& a, const Node& b, const Cell& cell, const Corner& hint,
+                                                     NotSeparated& why) const {
     double least = 0;
     if (dot(hint, hint) > 0)
         if (const auto normal = along(widened(hint), 0.1 * (a.extent + b.extent), a, b, cell, least))
@@ -227,7 +226,8 @@ struct Axis {
     Wide direction; ///< of unit length, from the second one to the first one
 };
 
-/// Along which two faces are apart, the greatest gap first. It is their distance if the ways between them are looked at.
+/// Along which two faces are apart, the greatest gap first. It is their distance if the ways between them are looked
+/// at.
 std::vector<Axis> gaps_of(std::span<const Wide> first, std::span<const Wide> second, bool with_ways) {
     std::vector<Wide> axes = axes_of(first, second);
     if (with_ways) {

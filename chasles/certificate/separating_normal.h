@@ -47,7 +47,6 @@ public:
                                                         const Corner& hint, NotSeparated& why) const;
 
 private:
-    using Wide = Vector3<DoubleDouble>;
     [[nodiscard]] std::optional<IntegerNormal> along(const Wide& direction, double gap, const Node& a, const Node& b,
                                                      const Cell& cell, double& least) const;
     template <class S>

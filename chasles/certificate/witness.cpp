@@ -14,15 +14,10 @@ namespace chasles::certificate {
 
 namespace {
 
-using Wide = Vector3<DoubleDouble>;
 using Triangle = std::array<Wide, 3>;
 
 /// Of the lengths that enter: signs below it are not known.
 constexpr double unknown = 1e-28;
-
-Wide widened(const Corner& v) {
-    return {DoubleDouble(v.x), DoubleDouble(v.y), DoubleDouble(v.z)};
-}
 
 /// A face at one tau, in the frame of the fixed body.
 struct PlacedFace {
@@ -41,7 +36,8 @@ struct PlacedFace {
             normal = normal + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
         for (std::size_t k = 0; k < size(); ++k) {
             const Wide &a = corners[k], &b = corners[(k + 1) % size()], &c = corners[(k + 2) % size()];
-            if (dot(normal, cross(b - a, c - b)).high() < 0 || dot(normal, cross(a - corners[0], b - corners[0])).high() < 0)
+            if (dot(normal, cross(b - a, c - b)).high() < 0 ||
+                dot(normal, cross(a - corners[0], b - corners[0])).high() < 0)
                 return false;
         }
         return true;
@@ -104,7 +100,8 @@ private:
         PlacedFace result{of_moving, face, {}};
         for (std::size_t i = 0; i < tree.body().face(face).size(); ++i) {
             const Corner corner = tree.corner(face, i);
-            result.corners.push_back(of_moving ? piece_.polynomials().place(corner, DoubleDouble(tau_)) : widened(corner));
+            result.corners.push_back(of_moving ? piece_.polynomials().place(corner, DoubleDouble(tau_))
+                                               : widened(corner));
         }
         return result;
     }
@@ -154,7 +151,8 @@ Weights on_side(std::size_t from, double share) {
 }
 
 /// The shares of the nearest points of two segments.
-std::array<double, 2> shares_of_segments(const Corner& p, const Corner& along_p, const Corner& q, const Corner& along_q) {
+std::array<double, 2> shares_of_segments(const Corner& p, const Corner& along_p, const Corner& q,
+                                         const Corner& along_q) {
     const Corner apart = p - q;
     const double a = dot(along_p, along_p), e = dot(along_q, along_q), f = dot(along_q, apart);
     const double b = dot(along_p, along_q), c = dot(along_p, apart), determinant = a * e - b * b;
@@ -196,7 +194,8 @@ void WitnessSearch::look_for_near_points(const PlacedFace& moving, const PlacedF
                 if (const auto foot = foot_on(own, other[j]))
                     take_points(moving, i, *foot, fixed, k, on_side(j, 0));
                 for (std::size_t l = 0; l < 3; ++l) {
-                    const auto [s, t] = shares_of_segments(own[j], own[(j + 1) % 3] - own[j], other[l], other[(l + 1) % 3] - other[l]);
+                    const auto [s, t] =
+                        shares_of_segments(own[j], own[(j + 1) % 3] - own[j], other[l], other[(l + 1) % 3] - other[l]);
                     take_points(moving, i, on_side(j, s), fixed, k, on_side(l, t));
                 }
             }
@@ -221,7 +220,8 @@ void WitnessSearch::take_points(const PlacedFace& moving, std::size_t i, const W
         return scale(sum, DoubleDouble(1) / total);
     };
     const auto words = [](const PlacedFace& face, std::size_t number, const std::array<long long, 3>& weights) {
-        std::string text = " " + std::to_string(face.number) + " 0 " + std::to_string(number) + " " + std::to_string(number + 1);
+        std::string text =
+            " " + std::to_string(face.number) + " 0 " + std::to_string(number) + " " + std::to_string(number + 1);
         for (const long long weight : weights)
             text += " " + std::to_string(weight);
         return text;
@@ -250,7 +250,8 @@ bool passes_near(const Corner& from, const Corner& direction, const Corner& p, c
 
 /// How often a ray leaves through a face, less how often it enters; nothing if it passes too near to an edge. In
 /// double: what is not clear by far is no answer.
-std::optional<int> crossings(std::span<const Corner> outline, const Corner& from, const Corner& direction, double size) {
+std::optional<int> crossings(std::span<const Corner> outline, const Corner& from, const Corner& direction,
+                             double size) {
     constexpr double clear = 1e-9;
     int sum = 0;
     for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
@@ -296,7 +297,8 @@ std::optional<int> winding_of(const Outlines& faces, const Corner& from, const C
 
 std::optional<Ray> ray_from(const PieceOfBodies& piece, bool from_moving, std::size_t face, std::size_t corner) {
     const DoubleDouble start(0);
-    const FaceTree &own = from_moving ? piece.moving() : piece.fixed(), &other = from_moving ? piece.fixed() : piece.moving();
+    const FaceTree &own = from_moving ? piece.moving() : piece.fixed(),
+                   &other = from_moving ? piece.fixed() : piece.moving();
     const auto place = [&](bool is_moving, const Corner& c) {
         return is_moving ? motion::in_double(piece.polynomials().place(c, start)) : c;
     };

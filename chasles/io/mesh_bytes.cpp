@@ -34,10 +34,10 @@ void refuse_step(std::string_view bytes, std::string_view extension, const MeshF
     if (Words(start).next().starts_with("ISO-10303-21")) {
         const std::string_view schema = start.substr(std::min(start.find("FILE_SCHEMA"), start.size()));
         const bool is_ifc = schema.substr(0, schema.find(';')).find("IFC") != std::string_view::npos;
-        throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
-                           ", which holds curved surfaces, not polygons; export it as " +
-                           std::string(formats.for_export) +
-                           (is_ifc ? "" : ", or ask `chasles cad` (pip install \"chasles[cad]\"), which tessellates it with a bound"));
+        throw InvalidInput(
+            std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
+            ", which holds curved surfaces, not polygons; export it as " + std::string(formats.for_export) +
+            (is_ifc ? "" : ", or ask `chasles cad` (pip install \"chasles[cad]\"), which tessellates it with a bound"));
     }
     if (extension == ".step" || extension == ".stp")
         throw InvalidInput("is no STEP file, though its extension says so; " + std::string(formats.extensions) +

@@ -53,8 +53,8 @@ void refuse_other_kind(std::string_view extension, const MeshFormats& formats = 
 [[noreturn]] void refuse_extension(std::string_view extension, const MeshFormats& formats);
 
 /// Throws InvalidInput for files that their first bytes say to be of another format than their extension (in small
-/// letters): archives, binary glTF, STEP, IFC and URDF in .xml; also for the extensions of STEP. The way out leads to a format of
-/// `formats`.
+/// letters): archives, binary glTF, STEP, IFC and URDF in .xml; also for the extensions of STEP. The way out leads to a
+/// format of `formats`.
 void refuse_other_content(std::string_view bytes, std::string_view extension,
                           const MeshFormats& formats = formats_of_files);
 

@@ -293,7 +293,8 @@ JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> 
 
 namespace {
 
-/// Whether a segment begins where the one before ends, up to rounding of the values or of the terms that they are the sum of.
+/// Whether a segment begins where the one before ends, up to rounding of the values or of the terms that they are the
+/// sum of.
 bool continues(const JointPath::Segment& before, const JointPath::Segment& segment) {
     const Configuration end = value_at(before, 1), begin = value_at(segment, 0);
     const Configuration terms = before.coefficients.cwiseAbs().colwise().sum();

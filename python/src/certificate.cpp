@@ -62,14 +62,16 @@ std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const
 
 void bind_certificate(nb::module_& module) {
     using namespace nb::literals;
-    module.def("verify", verify, "moving"_a.none(), "fixed"_a.none(), "motion"_a.none(), "certificate"_a,
-               "Does a certificate prove what it claims? In exact numbers, by the checker that shares nothing with the search.\n\n"
-               "Parameters\n----------\nmoving, fixed : Polyhedron\n    The bodies that it has to be about.\n"
-               "motion : ScrewMotion\n    The motion that it has to be about.\ncertificate : str\n    What "
-               "`FirstContact.certificate()` gave, or the text of a file of `chasles check --certificate`.\n\n"
-               "Returns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it "
-               "proves less, is about another motion or other bodies, or is damaged: with the reason.\n\n"
-               "Source: docs/certificate.md.");
+    module.def(
+        "verify", verify, "moving"_a.none(), "fixed"_a.none(), "motion"_a.none(), "certificate"_a,
+        "Does a certificate prove what it claims? In exact numbers, by the checker that shares nothing with the "
+        "search.\n\n"
+        "Parameters\n----------\nmoving, fixed : Polyhedron\n    The bodies that it has to be about.\n"
+        "motion : ScrewMotion\n    The motion that it has to be about.\ncertificate : str\n    What "
+        "`FirstContact.certificate()` gave, or the text of a file of `chasles check --certificate`.\n\n"
+        "Returns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it "
+        "proves less, is about another motion or other bodies, or is damaged: with the reason.\n\n"
+        "Source: docs/certificate.md.");
 }
 
 } // namespace chasles::python

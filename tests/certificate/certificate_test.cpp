@@ -115,7 +115,8 @@ TEST_F(Certificates, WithoutOneOfTheirLinesAreRefused) {
                 continue;
             ++tried;
             const std::string without = text.substr(0, begins[i]) + text.substr(begins[i + 1]);
-            EXPECT_FALSE(checked(query.moving, query.fixed, without).holds) << text.substr(begins[i], 20) << " of\n" << text;
+            EXPECT_FALSE(checked(query.moving, query.fixed, without).holds) << text.substr(begins[i], 20) << " of\n"
+                                                                            << text;
         }
     }
     EXPECT_GT(tried, 500);
@@ -139,7 +140,10 @@ TEST_F(Certificates, WrongClaimsAreRefused) {
     ASSERT_TRUE(holds(contact));
     EXPECT_FALSE(holds(with(clear, "margin 0x1p-3", "margin 0x1p-2"))); // the gap is 0.25
     EXPECT_TRUE(holds(with(clear, "margin 0x1p-3", "margin 0x0p+0")));  // a weaker claim
-    EXPECT_FALSE(holds(with(contact, contact.substr(contact.find("verdict contact"), contact.find("order") - contact.find("verdict contact")), "verdict clear\n")));
+    EXPECT_FALSE(holds(
+        with(contact,
+             contact.substr(contact.find("verdict contact"), contact.find("order") - contact.find("verdict contact")),
+             "verdict clear\n")));
     EXPECT_FALSE(holds(with(clear, "solid both", "solid moving")));
     EXPECT_FALSE(checked(cube, box({0.5, 0.5, 0.5000001}).polyhedron(), clear).holds);
     EXPECT_FALSE(is_about(clear, ScrewMotion::between(start, through)));
@@ -149,11 +153,13 @@ TEST_F(Certificates, WrongClaimsAreRefused) {
 TEST_F(Certificates, OfFacesInOnePlaneAreVerified) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     for (const double gap : {0.0, 0x1p-50, 0x1p-20}) {
-        const FirstContactQuery query{cube, cube, ScrewMotion::between(shifted(-2, 0.25, 1 + gap), shifted(2, 0.25, 1 + gap))};
+        const FirstContactQuery query{cube, cube,
+                                      ScrewMotion::between(shifted(-2, 0.25, 1 + gap), shifted(2, 0.25, 1 + gap))};
         const Certificate proof = certify(query);
         EXPECT_EQ(proof.missing, "");
         EXPECT_NE(proof.text.find(gap > 0 ? "verdict clear" : "verdict contact"), std::string::npos);
-        EXPECT_EQ(checked(cube, cube, proof.text).message.substr(0, 9), "verified:") << checked(cube, cube, proof.text).message << proof.text;
+        EXPECT_EQ(checked(cube, cube, proof.text).message.substr(0, 9), "verified:")
+            << checked(cube, cube, proof.text).message << proof.text;
     }
 }
 
@@ -169,18 +175,18 @@ TEST_F(Certificates, SayWhatIsMissing) {
 TEST_F(Certificates, RefuseWhatTheyCannotSay) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     const Pose start = shifted(3, 0, 0), goal = shifted(2, 0, 0);
-    const auto why = [](const FirstContactQuery& query) {
-        return refusal([&] { static_cast<void>(certify(query)); });
-    };
+    const auto why = [](const FirstContactQuery& query) { return refusal([&] { static_cast<void>(certify(query)); }); };
     EXPECT_EQ(why({cube, cube, SweepMotion::between(start, goal)}),
               "certificate: only the motions that are the paper's screw are certified so far");
     EXPECT_EQ(why({cube, cube, ScrewMotion::relative(start, goal, start, goal)}),
               "certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
-    EXPECT_NE(why({cube.with_radius(-0.1), cube, ScrewMotion::between(start, goal)}).find("moved inwards"), std::string::npos);
+    EXPECT_NE(why({cube.with_radius(-0.1), cube, ScrewMotion::between(start, goal)}).find("moved inwards"),
+              std::string::npos);
     QueryOptions hold;
     hold.margin = 1;
     hold.hold = 0.5;
-    EXPECT_EQ(why({cube, cube, ScrewMotion::between(start, goal), hold}), "certificate: answers with `hold` are not certified");
+    EXPECT_EQ(why({cube, cube, ScrewMotion::between(start, goal), hold}),
+              "certificate: answers with `hold` are not certified");
 }
 
 } // namespace
