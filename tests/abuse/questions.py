@@ -58,6 +58,7 @@ QUESTIONS = {
     question.name: question
     for question in [
         Question("check", ("check", *BODIES, "MOTION", "--json"), BODIES),
+        Question("certificate", ("check", *BODIES, "--start", "3,0.2,0.3", "--goal", "0,0.2,3"), BODIES, (file("--certificate"),)),
         Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
         Question("profile", ("profile", *BODIES, "MOTION"), BODIES, (file("--csv"), file("--plot"))),
         Question("view", ("view", *BODIES, "MOTION"), BODIES, (file("--out"),)),
