@@ -94,7 +94,7 @@ TEST_F(MeshFiles, TellRobotsInXmlFromModelsOfMuJoCo) {
          {"<?xml version='1.0'?>\n<!-- <mujoco> -> -->\n<robot name='a'>", "<robot\n name='a'>"})
         EXPECT_NE(message("a.xml", text).find("name it .urdf"), std::string::npos) << text;
     for (const char* const text :
-         {"<mujoco><!-- <robot/> --></mujoco>", "<!-- <robot/> --><mujoco/>", "<robots/>", "<!--", "<", ""})
+         {"<mujoco><!-- <robot/> --></mujoco>", "<!-- <robot/> --><mujoco/>", "<robots/>", "<!--", "<"})
         EXPECT_NE(message("a.xml", text).find("models of MuJoCo (MJCF) are not read"), std::string::npos) << text;
 }
 
