@@ -111,9 +111,9 @@ TEST_F(CellCommand, HasRangesAndPairs) {
     upper.set_base(Pose({0, 0, 0.15}, Eigen::Quaterniond::Identity()));
     const Robot cell = Robot::together({{"lower", lower}, {"upper", upper}});
     const std::vector<std::string> joints{"lower/x", "upper/x"};
-    const RobotRange same = RobotChecker(cell).range(box_of_joints(cell, joints, cell.neutral()), {.tolerance = 0.05});
+    const RobotRange same = RobotChecker(cell).range(box_of_joints(cell, joints, cell.neutral()), {.tolerance = 0.01});
     const std::string robots = "lower=slider.urdf upper=slider.urdf --base \"upper=0 0 0.15\" ";
-    const nlohmann::json found = json("range " + robots + "--joints lower/x,upper/x --tolerance 0.05");
+    const nlohmann::json found = json("range " + robots + "--joints lower/x,upper/x --tolerance 0.01");
     EXPECT_EQ(found["joints"], nlohmann::json(joints));
     EXPECT_EQ(found["clear_share"].get<double>(), same.clear_share);
     EXPECT_GT(same.contact_share, 0);
