@@ -222,8 +222,8 @@ struct Reader {
         const Word power = rest.substr(p + 1 + plus);
         uint64_t mantissa;
         int exponent;
-        if (!digits.starts_with("0x") || !parse(Word(digits).substr(2), mantissa, 16) || !parse(power, exponent) ||
-            std::abs(long(exponent)) > 99999)
+        if (!digits.starts_with("0x") || digits.find_first_of("ABCDEF") != string::npos ||
+            !parse(Word(digits).substr(2), mantissa, 16) || !parse(power, exponent) || std::abs(long(exponent)) > 99999)
             fail("not a hexadecimal number: " + quote(all));
         exponent -= point < p ? 4 * int(p - point - 1) : 0;
         const double x = std::ldexp(double(mantissa), exponent);

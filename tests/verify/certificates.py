@@ -1,13 +1,16 @@
 """A small naive prover of certificates, and cases. Only pytest and the standard library are needed."""
 import hashlib
 import math
+from pathlib import Path
+import sys
 import struct
 from fractions import Fraction as Q
 from itertools import product
 
 import pytest
 
-import verify
+sys.path.insert(0, str(Path(__file__).parents[2] / "tools"))
+import verify  # noqa: E402
 
 
 # --- meshes ----------------------------------------------------------------------------------------------------------

@@ -4,11 +4,8 @@ from fractions import Fraction as Q
 
 import pytest
 
-import verify
-
-
 from certificates import *  # noqa: F403
-from certificates import check, dot, cross, add, times  # noqa: F401
+from certificates import add, check, cross, dot, times, verify  # noqa: F401
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -8,11 +8,8 @@ from fractions import Fraction as Q
 
 import pytest
 
-import verify
-
-
 from certificates import *  # noqa: F403
-from certificates import check, dot, cross, add, times  # noqa: F401
+from certificates import add, check, cross, dot, times, verify  # noqa: F401
 
 
 # --- the motion against the formulas of the page ---------------------------------------------------------------------
