@@ -90,7 +90,8 @@ TEST(ReadObj, RefusesBadVertices) {
     EXPECT_EQ(message("v 1 2 1e999\n"), "line 1: a vertex needs three finite numbers: 'v 1 2 1e999'");
     EXPECT_EQ(message("v 1 2 3x\n"), "line 1: a vertex needs three finite numbers: 'v 1 2 3x'");
     EXPECT_EQ(message("v 1 2 3 x\n"), "line 1: not a number: 'x' in 'v 1 2 3 x'");
-    EXPECT_EQ(message("v 1,5 2 3\n"), "line 1: a vertex needs three finite numbers: 'v 1,5 2 3'; write a decimal point");
+    EXPECT_EQ(message("v 1,5 2 3\n"),
+              "line 1: a vertex needs three finite numbers: 'v 1,5 2 3'; write a decimal point");
 }
 
 TEST(ReadObj, RefusesBadFaces) {
