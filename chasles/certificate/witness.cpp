@@ -1,6 +1,7 @@
 #include "chasles/certificate/witness.h"
 
 #include "chasles/certificate/hexadecimal.h"
+#include "chasles/contact/segment_shares.h"
 
 #include <algorithm>
 #include <array>
@@ -150,19 +151,9 @@ Weights on_side(std::size_t from, double share) {
     return weights;
 }
 
-/// The shares of the nearest points of two segments.
-std::array<double, 2> shares_of_segments(const Corner& p, const Corner& along_p, const Corner& q,
+std::pair<double, double> nearest_shares(const Corner& p, const Corner& along_p, const Corner& q,
                                          const Corner& along_q) {
-    const Corner apart = p - q;
-    const double a = dot(along_p, along_p), e = dot(along_q, along_q), f = dot(along_q, apart);
-    const double b = dot(along_p, along_q), c = dot(along_p, apart), determinant = a * e - b * b;
-    double s = determinant > 0 ? std::clamp((b * f - c * e) / determinant, 0.0, 1.0) : 0;
-    double t = e > 0 ? (b * s + f) / e : 0;
-    if (t < 0 || t > 1) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = a > 0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0;
-    }
-    return {s, t};
+    return contact::nearest_shares(p - q, along_p, along_q, [](const Corner& a, const Corner& b) { return dot(a, b); });
 }
 
 /// Of the foot of a point on a triangle, if it is inside.
@@ -195,7 +186,7 @@ void WitnessSearch::look_for_near_points(const PlacedFace& moving, const PlacedF
                     take_points(moving, i, *foot, fixed, k, on_side(j, 0));
                 for (std::size_t l = 0; l < 3; ++l) {
                     const auto [s, t] =
-                        shares_of_segments(own[j], own[(j + 1) % 3] - own[j], other[l], other[(l + 1) % 3] - other[l]);
+                        nearest_shares(own[j], own[(j + 1) % 3] - own[j], other[l], other[(l + 1) % 3] - other[l]);
                     take_points(moving, i, on_side(j, s), fixed, k, on_side(l, t));
                 }
             }
@@ -244,7 +235,7 @@ namespace {
 bool passes_near(const Corner& from, const Corner& direction, const Corner& p, const Corner& q, double distance) {
     const Corner unit = scale(direction, 1 / length(direction));
     const double most = length(p - from) + length(q - from); // no point of the edge is farther along the ray
-    const auto [s, t] = shares_of_segments(from, scale(unit, most), p, q - p);
+    const auto [s, t] = nearest_shares(from, scale(unit, most), p, q - p);
     return !(length(from + scale(unit, s * most) - (p + scale(q - p, t))) > distance);
 }
 

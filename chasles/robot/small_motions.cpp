@@ -1,6 +1,7 @@
 #include "chasles/robot/small_motions.h"
 
 #include "chasles/contact/relative_configuration.h"
+#include "chasles/contact/segment_shares.h"
 #include "chasles/culling/nested_boxes.h"
 #include "chasles/robot/pair_walk.h"
 
@@ -35,14 +36,8 @@ double reach_of(const PairAtRest& pair) {
 /// A vector from a point of the second segment to one of the first: the shortest one, but for rounding.
 Vector3d between_segments(const Vector3d& p, const Vector3d& along_p, const Vector3d& q, const Vector3d& along_q) {
     const Vector3d apart = p - q;
-    const double a = along_p.squaredNorm(), e = along_q.squaredNorm(), f = along_q.dot(apart);
-    const double b = along_p.dot(along_q), c = along_p.dot(apart), denominator = a * e - b * b;
-    double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0;
-    double t = e > 0 ? (b * s + f) / e : 0;
-    if (t < 0 || t > 1 || e == 0) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = a > 0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0;
-    }
+    const auto [s, t] = contact::nearest_shares(apart, along_p, along_q,
+                                                [](const Vector3d& a, const Vector3d& b) { return a.dot(b); });
     return apart + s * along_p - t * along_q;
 }
 

@@ -12,6 +12,7 @@ import sys
 from typing import Any
 
 from ._core import InvalidInput
+from .program import Parser, beside, refuse_input, run
 
 _DESCRIPTION = "Clashes of an assembly as mounted, over the range of each joint, and over the ranges of each two joints."
 _EPILOG = "Exit status: 0 clear, 1 contact, 2 wrong input, 3 out of time, 130 interrupted. The guide is docs/cad.md."
@@ -19,25 +20,35 @@ _EPILOG = "Exit status: 0 clear, 1 contact, 2 wrong input, 3 out of time, 130 in
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command, and return its exit status."""
-    options = _parser().parse_args(arguments)
-    try:
-        return _checked(options)
-    except KeyboardInterrupt:
-        return 130
-    except (InvalidInput, ModuleNotFoundError, OSError, TypeError) as error:
-        print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
-        return 2
+    return run(_parser(), arguments, _checked)
 
 
 def _checked(options: argparse.Namespace) -> int:
-    from . import cad  # here: --help works without OCP
+    outputs = [out for out in (options.page, options.out) if out is not None]
+    for out in outputs:
+        refuse_input(out, [pathlib.Path(options.model)])
+    if len({pathlib.Path(out).resolve() for out in outputs}) < len(outputs):
+        raise InvalidInput(f"{options.out}: is the name of two outputs")
+    report = _report(options)
+    if options.page is not None:
+        with beside(options.page, [pathlib.Path(options.model)]) as file:
+            report.view(file, title=options.title)
+    if options.out is not None:
+        with beside(options.out, [pathlib.Path(options.model)]) as file:
+            file.write_text(report.to_json(), encoding="utf-8")
+    print(report.to_json() if options.json else report, end="" if options.json else "\n")
+    return report.exit_status
 
-    for out in (options.page, options.out):
-        if out is not None and pathlib.Path(out).resolve() == pathlib.Path(options.model).resolve():
-            raise InvalidInput(f"{out}: is the model, which is not overwritten")
-    source = _of_script(options.model) if options.model.endswith(".py") else options.model
-    assembly = cad.load(source, deflection=options.deflection, angle=options.angle)
-    report = cad.check(
+
+def _report(options: argparse.Namespace) -> Any:
+    try:
+        from . import cad  # here: --help works without OCP
+
+        source = _of_script(options.model) if options.model.endswith(".py") else options.model
+        assembly = cad.load(source, deflection=options.deflection, angle=options.angle)
+    except (ModuleNotFoundError, OSError, TypeError) as error:
+        raise InvalidInput(str(error)) from error
+    return cad.check(
         assembly,
         intended=[_two(text) for text in options.intended],
         ignore_touching=options.ignore_touching,
@@ -47,16 +58,10 @@ def _checked(options: argparse.Namespace) -> int:
         tolerance=options.tolerance,
         seconds=options.seconds,
     )
-    if options.page is not None:
-        report.view(options.page, title=options.title)
-    if options.out is not None:
-        pathlib.Path(options.out).write_text(report.to_json(), encoding="utf-8")
-    print(report.to_json() if options.json else report, end="" if options.json else "\n")
-    return report.exit_status
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="chasles cad", description=_DESCRIPTION, epilog=_EPILOG)
+def _parser() -> Parser:
+    parser = Parser(prog="chasles cad", description=_DESCRIPTION, epilog=_EPILOG)
     add = parser.add_argument
     add(
         "model",

@@ -10,6 +10,7 @@ import numpy as np
 
 from .cad_bounds import Array
 from .cad_report import JointRange, Report
+from .poses import seven_numbers
 from .record import recording_page
 
 STEPS = 24  # poses of a joint on its way to one end; a quarter turn has more than one
@@ -39,7 +40,7 @@ def write_page(report: Report, out: str | os.PathLike[str], title: str) -> pathl
             for step in np.linspace(0, 1, STEPS + 1)[1:]:
                 times.append(start + 1 + step)
                 rows.append(_with(rest, number, end + step * (joint.value - end)))
-    poses = np.array([[_seven(pose) for pose in assembly.poses(robot, row).values()] for row in rows])
+    poses = np.array([[seven_numbers(pose) for pose in assembly.poses(robot, row).values()] for row in rows])
     bodies = {name: part.mesh for name, part in assembly.parts.items()}
     return recording_page(out, bodies, np.array(times), poses, events, title=title)
 
@@ -51,26 +52,6 @@ def _with(rest: Array, number: int, value: float) -> Array:
 
 
 def _event(pair: tuple[str, str], point: list[float] | None, time: float, kind: str, certain: bool) -> dict[str, Any]:
-    return (
-        {"time": time, "pair": pair, "kind": kind, "certain": certain, "points": [], "normals": []}
-        if point is None
-        else {
-            "time": time,
-            "pair": pair,
-            "kind": kind,
-            "certain": certain,
-            "points": [point],
-            "normals": [[0.0, 0.0, 1.0]],
-        }
-    )
-
-
-def _seven(matrix: Array) -> Array:
-    """x y z qw qx qy qz: the eigenvector of the matrix that every rotation has for its quaternion."""
-    r = matrix[:3, :3]
-    off = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
-    k = np.empty((4, 4))
-    k[0, 0] = np.trace(r)
-    k[0, 1:] = k[1:, 0] = off
-    k[1:, 1:] = r + r.T - np.trace(r) * np.eye(3)
-    return np.concatenate([matrix[:3, 3], np.linalg.eigh(k)[1][:, -1]])
+    points: list[list[float]] = [] if point is None else [point]
+    normals = [[0.0, 0.0, 1.0] for _ in points]
+    return {"time": time, "pair": pair, "kind": kind, "certain": certain, "points": points, "normals": normals}

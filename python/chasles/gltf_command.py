@@ -5,53 +5,25 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
-import os
-import signal
 import sys
 from collections.abc import Sequence
-from typing import Any, NoReturn
+from typing import Any
 
 from . import gltf
-from ._core import Cancelled, InvalidInput, Limit
+from ._core import InvalidInput, Limit
 from .enums import Verdict
 from .gltf_answer import AnimationContact, untested_json
-from .gltf_file import refuse_input
-
-CLEAR, CONTACT, WRONG_INPUT, OUT_OF_TIME, INTERRUPTED = 0, 1, 2, 3, 130
-
-
-class Parser(argparse.ArgumentParser):
-    """Errors are one line, as of all commands."""
-
-    def error(self, message: str) -> NoReturn:
-        print(f"chasles: animation: {message}", file=sys.stderr)
-        raise SystemExit(WRONG_INPUT)
+from .program import CLEAR, CONTACT, OUT_OF_TIME, Parser, refuse_input, run
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program, and return its exit status: 0 clear, 1 contact, 2 wrong input, 3 the time was over, 130 interrupted."""
-    if arguments is None:  # as a program
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
-    options = _parser().parse_args(arguments)
-    if sys.stdout is None:
-        print("chasles: cannot write the answer: standard output is closed", file=sys.stderr)
-        return WRONG_INPUT
-    try:
-        with Limit(options.seconds) if options.seconds is not None else contextlib.nullcontext():
-            return _answer(options)
-    except InvalidInput as error:
-        print(f"chasles: {error}", file=sys.stderr)
-        return WRONG_INPUT
-    except OSError as error:  # of the output: nothing more can be written there
-        print(f"chasles: cannot write the answer: {error.strerror}", file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return WRONG_INPUT
-    except Cancelled:
-        print("chasles: the time was over; nothing is proven", file=sys.stderr)
-        return OUT_OF_TIME
-    except KeyboardInterrupt:
-        print("chasles: interrupted", file=sys.stderr)
-        return INTERRUPTED
+    return run(_parser(), arguments, _answer_in_time)
+
+
+def _answer_in_time(options: argparse.Namespace) -> int:
+    with Limit(options.seconds) if options.seconds is not None else contextlib.nullcontext():
+        return _answer(options)
 
 
 def _parser() -> Parser:

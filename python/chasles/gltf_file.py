@@ -7,14 +7,11 @@ from __future__ import annotations
 
 import base64
 import binascii
-import contextlib
 import json
 import os
 import pathlib
 import struct
-import tempfile
 import urllib.parse
-from collections.abc import Iterator
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -268,35 +265,6 @@ def is_index(value: Any) -> TypeGuard[float]:
     return (
         isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < 2**53 and value == int(value)
     )
-
-
-def refuse_input(out: str | os.PathLike[str], inputs: set[pathlib.Path]) -> None:
-    """Raises InvalidInput if `out` is one of the inputs, also behind links."""
-    for file in inputs:
-        if os.path.exists(out) and file.exists() and os.path.samefile(out, file):
-            raise InvalidInput(f"{out}: is an input; write to another file")
-
-
-@contextlib.contextmanager
-def beside(out: str | os.PathLike[str], inputs: set[pathlib.Path]) -> Iterator[pathlib.Path]:
-    """A new file beside `out`, which gets its name when it is complete. Refuses an `out` that is one of the inputs."""
-    path = pathlib.Path(out)
-    refuse_input(path, inputs)
-    try:
-        handle, name = tempfile.mkstemp(prefix=path.name[:80] + ".", suffix=".part", dir=path.parent)
-        os.close(handle)
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    try:
-        yield pathlib.Path(name)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, path)
-    except OSError as error:
-        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
-    finally:
-        pathlib.Path(name).unlink(missing_ok=True)
 
 
 def _part(sparse: Any, key: str) -> Any:

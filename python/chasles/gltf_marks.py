@@ -13,7 +13,8 @@ import numpy.typing as npt
 
 from ._core import InvalidInput
 from .gltf_answer import AnimationContact
-from .gltf_file import Document, Json, beside
+from .gltf_file import Document, Json
+from .program import beside
 from .gltf_tree import roots_of
 
 Array = npt.NDArray[np.float64]

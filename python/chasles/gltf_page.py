@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .gltf_answer import AnimationContact
-from .gltf_file import beside
+from .program import beside
 from .poses import seven_numbers
 from .record import recording_page
 

@@ -104,8 +104,8 @@ def test_the_command(step, tmp_path, capsys):
     )
     assert "3 parts" in capsys.readouterr().out
     assert main([str(path), "--intended", "pin:nothing"]) == 2 and "no part" in capsys.readouterr().err
-    assert main([str(path), "--page", str(path)]) == 2 and "overwritten" in capsys.readouterr().err
-    assert main(["missing.step"]) == 2 and capsys.readouterr().err.startswith("error: missing.step: is no file")
+    assert main([str(path), "--page", str(path)]) == 2 and "is an input; write to another file" in capsys.readouterr().err
+    assert main(["missing.step"]) == 2 and capsys.readouterr().err.startswith("chasles: missing.step: is no file")
     (tmp_path / "broken.step").write_text("ISO-10303-21; nothing")
     assert main([str(tmp_path / "broken.step")]) == 2
 

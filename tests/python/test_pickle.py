@@ -206,7 +206,7 @@ def public_types():
     for file in pathlib.Path(chasles.__file__).parent.glob("[a-z]*.py"):
         # tests of the adapters pickle what they have, such as an Audit
         is_optional = file.stem in ("ompl", "lerobot", "pinocchio") or file.stem.startswith(("mujoco", "drake", "gltf", "cad"))
-        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question", "robot_tree", "ros_node"):  # or of the package's own use
+        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question", "program", "robot_tree", "ros_node"):  # or of the package's own use
             continue
         module = importlib.import_module(f"chasles.{file.stem}")
         for name, value in vars(module).items():

@@ -1,0 +1,81 @@
+"""What the programs `chasles-cad` and `chasles-animation` have in common with the command line: exit status, errors, outputs."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import pathlib
+import signal
+import sys
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import NoReturn
+
+from ._core import Cancelled, InvalidInput
+
+CLEAR, CONTACT, WRONG_INPUT, OUT_OF_TIME, INTERRUPTED = 0, 1, 2, 3, 130
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors are one line, as of all commands."""
+
+    def error(self, message: str) -> NoReturn:
+        print(f"chasles: {self.prog.split()[-1]}: {message}", file=sys.stderr)
+        raise SystemExit(WRONG_INPUT)
+
+
+def run(parser: Parser, arguments: Sequence[str] | None, answer: Callable[[argparse.Namespace], int]) -> int:
+    """Answers, and returns the exit status. Without arguments, those of the process are taken, which SIGTERM interrupts then."""
+    if arguments is None:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+    options = parser.parse_args(arguments)
+    if sys.stdout is None:
+        print("chasles: cannot write the answer: standard output is closed", file=sys.stderr)
+        return WRONG_INPUT
+    try:
+        status = answer(options)
+        sys.stdout.flush()
+        return status
+    except InvalidInput as error:
+        print(f"chasles: {' '.join(str(error).split())}", file=sys.stderr)
+        return WRONG_INPUT
+    except OSError as error:  # of the output: nothing more can be written there
+        print(f"chasles: cannot write the answer: {error.strerror}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return WRONG_INPUT
+    except Cancelled:
+        print("chasles: the time was over; nothing is proven", file=sys.stderr)
+        return OUT_OF_TIME
+    except KeyboardInterrupt:
+        print("chasles: interrupted", file=sys.stderr)
+        return INTERRUPTED
+
+
+def refuse_input(out: str | os.PathLike[str], inputs: Iterable[pathlib.Path]) -> None:
+    """Raises InvalidInput if `out` is one of the inputs, also behind links."""
+    for file in inputs:
+        if os.path.exists(out) and file.exists() and os.path.samefile(out, file):
+            raise InvalidInput(f"{out}: is an input; write to another file")
+
+
+@contextlib.contextmanager
+def beside(out: str | os.PathLike[str], inputs: Iterable[pathlib.Path]) -> Iterator[pathlib.Path]:
+    """A new file beside `out`, which gets its name when it is complete. Refuses an `out` that is one of the inputs."""
+    path = pathlib.Path(out)
+    refuse_input(path, inputs)
+    try:
+        handle, name = tempfile.mkstemp(prefix=path.name[:80] + ".", suffix=".part", dir=path.parent)
+        os.close(handle)
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+    try:
+        yield pathlib.Path(name)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(name, 0o666 & ~mask)
+        os.replace(name, path)
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+    finally:
+        pathlib.Path(name).unlink(missing_ok=True)
