@@ -20,35 +20,38 @@ struct CheckOptions {
     bool json = false;
 };
 
-/// What is not proven goes to standard error, and into the JSON object.
-void write_certificate(const OneMotion& question, const std::string& name, view::Json* answer) {
+/// What a certificate does not prove goes to standard error, and into the JSON object. Returns whether it was made in
+/// time.
+bool write_certificate(const OneMotion& question, const std::string& name, view::Json& answer) {
     OutputFile file(name);
-    const Limit limit(question.seconds);
-    const Certificate certificate =
-        certify({question.bodies.moving, question.bodies.fixed, question.motion, question.options});
+    Certificate certificate;
+    try {
+        certificate = certify({question.bodies.moving, question.bodies.fixed, question.motion, question.options});
+    } catch (const Cancelled&) {
+        std::fputs(("chasles: " + name + ": not written: the time of --seconds was over\n").c_str(), stderr);
+        answer["certificate"] = {{"file", nullptr}, {"missing", "the time of --seconds was over"}};
+        return false;
+    }
     file.write(certificate.text);
     file.close();
     if (!certificate.missing.empty())
         std::fputs(("chasles: " + name + ": incomplete: " + certificate.missing + "\n").c_str(), stderr);
-    if (answer)
-        (*answer)["certificate"] = {{"file", name}, {"planes", certificate.planes}, {"missing", certificate.missing}};
+    answer["certificate"] = {{"file", name}, {"planes", certificate.planes}, {"missing", certificate.missing}};
+    return true;
 }
 
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
+    const Limit limit(question.seconds); // of the answer and its certificate
     const FirstContact found = first_contact(question);
-    if (options.json) {
-        view::Json answer = view::answer_json(found, question.numbers);
-        add_warnings(answer, question.bodies.warnings);
-        if (!options.certificate.empty())
-            write_certificate(question, options.certificate, &answer);
+    view::Json answer = view::answer_json(found, question.numbers);
+    const bool is_in_time = options.certificate.empty() || write_certificate(question, options.certificate, answer);
+    add_warnings(answer, question.bodies.warnings);
+    if (options.json)
         print(answer.dump() + "\n");
-    } else {
-        if (!options.certificate.empty())
-            write_certificate(question, options.certificate, nullptr);
+    else
         print(report(found, question.numbers, question.options, {question.bodies.moving, question.bodies.fixed}));
-    }
-    return status_of(found.verdict);
+    return is_in_time ? status_of(found.verdict) : is_unknown;
 }
 
 } // namespace

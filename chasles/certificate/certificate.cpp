@@ -1,6 +1,8 @@
 #include "chasles/certificate/certificate.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/certificate/certified_body.h"
 #include "chasles/certificate/hexadecimal.h"
 #include "chasles/certificate/prover.h"
@@ -94,6 +96,8 @@ private:
     void answer() {
         for (piece_ = 0; piece_ < pieces_.size(); ++piece_) {
             found_ = first_contact({moving_, fixed_, pieces_[piece_], options_});
+            if (found_.verdict == Verdict::unknown)
+                throw Cancelled();
             if (found_.verdict != Verdict::clear)
                 break;
         }
@@ -126,6 +130,7 @@ private:
             if (!(of_moving ? fixed_ : moving_).body().volume().is_solid())
                 continue;
             for (const auto& [face, corner] : corners_of_parts(of_moving ? moving_ : fixed_)) {
+                throw_if_cancelled();
                 const std::optional<Ray> ray = ray_from(start, of_moving, face, corner);
                 if (ray && ray->winding <= 0)
                     text += "outside " + ray->words + "\n";

@@ -36,8 +36,8 @@ double reach_of(const PairAtRest& pair) {
 /// A vector from a point of the second segment to one of the first: the shortest one, but for rounding.
 Vector3d between_segments(const Vector3d& p, const Vector3d& along_p, const Vector3d& q, const Vector3d& along_q) {
     const Vector3d apart = p - q;
-    const auto [s, t] = contact::nearest_shares(apart, along_p, along_q,
-                                                [](const Vector3d& a, const Vector3d& b) { return a.dot(b); });
+    const auto [s, t] =
+        contact::nearest_shares(apart, along_p, along_q, [](const Vector3d& a, const Vector3d& b) { return a.dot(b); });
     return apart + s * along_p - t * along_q;
 }
 

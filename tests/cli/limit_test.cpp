@@ -51,6 +51,15 @@ protected:
 const std::string bodies = "sheet.obj sheet.obj ";
 const std::string motion = "--start 0,.1,1e-9 --goal \"0.4 .1 1e-9 .92 0 0 .39\" --motion velocity";
 
+TEST_F(Seconds, ACertificateIsWholeOrNotWritten) {
+    const std::string slide = "check sheet.obj sheet.obj --start \"0 0.1 1e-9\" --goal \"0.4 0.1 1e-9 0.92 0 0 0.39\" ";
+    const tests::Finished finished = stopped(slide + "--certificate a.cert --json");
+    EXPECT_NE(finished.err.find("chasles: a.cert: not written: the time of --seconds was over\n"), std::string::npos)
+        << finished.err;
+    EXPECT_TRUE(Json::parse(finished.out)["certificate"]["file"].is_null());
+    EXPECT_FALSE(std::filesystem::exists(path("a.cert")));
+}
+
 TEST_F(Seconds, AnswersSayWhatIsProven) {
     for (const std::string& question : {"check " + bodies + motion, std::string("scene scene.json")}) {
         EXPECT_TRUE(stopped(question).out.starts_with("UNKNOWN: the time was over; ")) << question;
