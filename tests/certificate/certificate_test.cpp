@@ -1,9 +1,11 @@
 // The checker, which shares nothing with the library, verifies what the library certifies, and refuses what is altered.
 #include "chasles/certificate/certificate.h"
 
+#include "chasles/base/limit.h"
 #include "chasles/base/sha256.h"
 #include "chasles/mesh/primitives.h"
 #include "tests/query/bodies.h"
+#include "tests/support/grid.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
 #include "tools/verify.h"
@@ -170,6 +172,23 @@ TEST_F(Certificates, SayWhatIsMissing) {
     const Certificate proof = certify({tip, plate, ScrewMotion::between(shifted(2, 0.5, 1), shifted(2, 0.5, -0.5))});
     EXPECT_EQ(proof.missing, "not proven: the contact: no edge was found that passes through a convex face");
     EXPECT_FALSE(checked(tip, plate, proof.text).holds);
+}
+
+/// An answer that a limit has cut is none.
+TEST_F(Certificates, NeedAnAnswerInTime) {
+    Body sheet;
+    constexpr std::uint32_t n = 100;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j)
+            sheet.vertices.emplace_back(double(i) / n, double(j) / n, 0);
+    for (const auto& face : grid_triangles(n, n))
+        sheet.faces.emplace_back(face.begin(), face.end());
+    const Polyhedron body = sheet.polyhedron();
+    const Pose goal(Eigen::Vector3d(0.4, 0.1, 1e-9), Eigen::Quaterniond(0.92, 0, 0, 0.39));
+    const FirstContactQuery query{body, body, ScrewMotion::between(shifted(0, 0.1, 1e-9), goal)};
+    const Limit limit(1e-9);
+    ASSERT_EQ(first_contact(query).verdict, Verdict::unknown);
+    EXPECT_THROW(static_cast<void>(certify(query)), Cancelled);
 }
 
 TEST_F(Certificates, RefuseWhatTheyCannotSay) {

@@ -98,6 +98,18 @@ def test_what_is_about_something_else_is_refused(tmp_path):
         chasles.first_contact(*bodies, motion=motion).swapped().certificate()
 
 
+def test_a_limit_ends_it():
+    """No certificate of an answer that is not there yet: two sheets of triangles slide past each other at a small gap."""
+    steps = np.linspace(0, 1, 81)
+    vertices = np.array([[x, y, 0] for x in steps for y in steps])
+    corners = [81 * i + j for i in range(80) for j in range(80)]
+    faces = [f for c in corners for f in ((c, c + 81, c + 82), (c, c + 82, c + 1))]
+    sheet = chasles.Polyhedron(vertices, np.array(faces, np.uint32))
+    found = chasles.first_contact(sheet, sheet, [0, 0.1, 1e-6, 1, 0, 0, 0], [0.4, 0.1, 1e-6, 0.92, 0, 0, 0.39])
+    with chasles.Limit(1e-9), pytest.raises(chasles.Cancelled):
+        found.certificate()
+
+
 def test_what_is_missing_is_said():
     """A face that is not convex is no witness."""
     corner = chasles.Polyhedron([[0, 0, 0], [4, 0, 0], [4, 1, 0], [1, 1, 0], [1, 4, 0], [0, 4, 0]], [[0, 1, 2, 3, 4, 5]])

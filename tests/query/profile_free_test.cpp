@@ -61,5 +61,29 @@ TEST(ProfileFree, ASmallGapIsFreeBetweenTouches) {
     EXPECT_LT(twice.times.size(), 3000U);
 }
 
+/// A dip through the other body between two times at which both are apart by less than the tolerance. The way is
+/// 8 (t - 0.3)^2 (t - 0.7)^2 - depth.
+TEST(ProfileFree, DipsThroughTheBodyAreNot) {
+    const std::vector<double> square{0.0441, -0.42, 1.42, -2, 1}; // of (t - 0.3) (t - 0.7)
+    for (const double depth : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        std::vector<Eigen::Vector3d> places;
+        for (const double coefficient : square)
+            places.emplace_back(0, 0, 8 * coefficient);
+        places[0] += Eigen::Vector3d(0.3, 0.2, 1 - depth);
+        const auto gap_at = [&](double time) {
+            const double both = (time - 0.3) * (time - 0.7);
+            return 8 * both * both - depth;
+        };
+        for (const double tolerance : {1.0, 0.2, 1e-2, 1e-3}) {
+            const std::vector<Bracket> free =
+                of_cubes(Motion::polynomial(places), {.absolute_tolerance = tolerance}).free();
+            EXPECT_GE(free.size(), 2U) << depth << " " << tolerance; // before the first dip, and after the last one
+            for (const auto& [begin, end] : free)
+                for (int i = 0; i <= 10'000; ++i)
+                    ASSERT_GT(gap_at(begin + (end - begin) * i / 10'000), -1e-12) << depth << " " << tolerance;
+        }
+    }
+}
+
 } // namespace
 } // namespace chasles::test
