@@ -54,11 +54,9 @@ TypedMotion even(const EndPoses& moving, const std::optional<EndPoses>& fixed) {
     return made("relative", {}, {as_plain(between(moving)), as_plain(between(*fixed))});
 }
 
-/// The motion of this kind from start to goal, about the bodies' origins.
-TypedMotion motion_between(const MotionArguments& a, view::MotionKind kind) {
-    const double max_turn = max_turn_of(kind, a.max_turn);
-    const EndPoses moving{pose_from(a.start, "start"), pose_from(a.goal, "goal")};
-    const std::optional<EndPoses> fixed = fixed_poses_from(a);
+/// The motion of this kind, about the bodies' origins.
+TypedMotion motion_of_ends(view::MotionKind kind, const EndPoses& moving, const std::optional<EndPoses>& fixed,
+                           double max_turn) {
     switch (kind) {
     case view::MotionKind::sweep:
         return sweep(moving, fixed);
@@ -94,7 +92,13 @@ TypedMotion motion_from(const MotionArguments& a) {
     const view::MotionKind kind = is_named ? kind_from(a.motion) : view::MotionKind::screw;
     if (a.start.is_none() || a.goal.is_none())
         throw InvalidInput("motion: start and goal are needed, or a motion by its name: motion=...");
-    return motion_between(a, kind);
+    const double max_turn = max_turn_of(kind, a.max_turn);
+    const EndPoses moving{pose_from(a.start, "start"), pose_from(a.goal, "goal")};
+    return motion_of_ends(kind, moving, fixed_poses_from(a), max_turn);
+}
+
+TypedMotion motion_between(view::MotionKind kind, const Pose& start, const Pose& goal, std::optional<double> max_turn) {
+    return motion_of_ends(kind, {start, goal}, std::nullopt, max_turn_of(kind, max_turn));
 }
 
 } // namespace chasles::python

@@ -104,4 +104,7 @@ double max_turn_of(view::MotionKind kind, std::optional<double> given);
 /// InvalidInput if arguments are missing or contradict each other.
 TypedMotion motion_from(const MotionArguments& arguments);
 
+/// The motion of a kind between two poses, about the body's origin. Throws InvalidInput as max_turn_of.
+TypedMotion motion_between(view::MotionKind kind, const Pose& start, const Pose& goal, std::optional<double> max_turn);
+
 } // namespace chasles::python

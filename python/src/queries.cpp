@@ -75,13 +75,18 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
 }
 
 PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, double margin, std::optional<double> hold,
-                    double time_tolerance, double max_turn, nb::handle find) {
+                    double time_tolerance, std::optional<double> max_turn, nb::handle find, nb::handle motion) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const std::vector<Pose> path = poses_from(poses, "poses");
+    const view::MotionKind kind = kind_from(motion);
+    const auto segment = [&](std::size_t i) { return motion_between(kind, path[i], path[i + 1], max_turn); };
+    std::vector<Motion> motions = screws_along(path); // checks the poses
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        motions[i] = plain(segment(i));
     const PathQuery query{.moving = moving_body,
                           .fixed = fixed_body,
-                          .motions = screws_along(path, max_turn),
+                          .motions = std::move(motions),
                           .options = {margin, hold, time_tolerance, find_from(find)}};
     PathContact answer;
     {
@@ -89,10 +94,10 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
         const EndsBySignals ends_by_signals;
         answer = first_contact_on_path(query);
     }
-    const PythonScrew segment{ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn)};
     const bool is_last = answer.segment + 2 == path.size();
-    return {
-        {std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin}, answer.segment, is_last};
+    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment(answer.segment), margin},
+            answer.segment,
+            is_last};
 }
 
 std::string first_contact_doc() {
@@ -105,10 +110,11 @@ std::string first_contact_doc() {
 }
 
 std::string path_doc() {
-    return "The first contact on a path of poses. Each segment between two poses is one screw.\n\n"
+    return "The first contact on a path of poses. Each segment between two poses is one motion.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nposes : array (n, 4, 4) or (n, 7)\n"
-           "    At least two poses of the moving body in the frame of the fixed body.\n" +
-           option_docs("max_turn : float\n    Largest turn of one piece of a screw, radians.\n") +
+           "    At least two poses of the moving body in the frame of the fixed body.\n"
+           "motion : str\n    From pose to pose: 'screw', 'sweep', 'velocity' or 'twist', about the body's origin.\n" +
+           option_docs(max_turn_docs) +
            "\nReturns\n-------\nPathContact\n    Its time runs from 0 to 1 within its segment. Its work covers the "
            "whole "
            "path.";
@@ -144,10 +150,11 @@ void bind_queries(nb::module_& module) {
         first_contact_text.c_str());
     module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a.none(), nb::kw_only(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
-               "max_turn"_a = ScrewMotion::default_max_turn, "find"_a.none() = "first",
+               "max_turn"_a = nb::none(), "find"_a.none() = "first", "motion"_a.none() = "screw",
                nb::sig("def first_contact_on_path(moving: Polyhedron, fixed: Polyhedron, "
                        "poses: numpy.typing.ArrayLike, *, " CHASLES_OPTION_TYPES
-                       "max_turn: float = math.pi / 18, " CHASLES_FIND_TYPE ") -> PathContact"),
+                       "max_turn: float | None = None, " CHASLES_FIND_TYPE
+                       ", motion: typing.Literal['screw', 'sweep', 'velocity', 'twist'] = 'screw') -> PathContact"),
                path_text.c_str());
 }
 

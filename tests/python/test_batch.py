@@ -208,6 +208,25 @@ def test_a_path_tells_its_segment(cube):
         chasles.first_contact_on_path(cube, cube, np.zeros((2, 7)) + [[1], [0]])
 
 
+@pytest.mark.parametrize("motion", ["screw", "sweep", "velocity", "twist"])
+def test_a_path_follows_the_named_motion(cube, motion):
+    starts, goals = random_motions(60)
+    touches = 0
+    for path in np.stack([starts, goals, starts[::-1]], axis=1):
+        found = chasles.first_contact_on_path(cube, cube, path, motion=motion)
+        parts = [chasles.first_contact(cube, cube, *ends, motion=motion) for ends in zip(path[:-1], path[1:])]
+        first = next((i for i, part in enumerate(parts) if part.verdict != "clear"), None)
+        assert (found.verdict != "clear") == (first is not None)
+        if first is not None:
+            touches += 1
+            assert (found.segment, found.time, found.verdict) == (first, parts[first].time, parts[first].verdict)
+            assert type(found.motion) is type(parts[first].motion)
+    assert 10 < touches < 60
+    if motion != "screw":
+        with pytest.raises(chasles.InvalidInput, match="max_turn: belongs to motion='screw'"):
+            chasles.first_contact_on_path(cube, cube, [pose(3, 0, 0), pose(2, 0, 0)], motion=motion, max_turn=0.1)
+
+
 @pytest.mark.parametrize("kind", ["array", "strided", "list", "ragged"])
 def test_a_batch_of_paths_answers_as_single_paths_do(cube, kind):
     starts, goals = random_motions(100)
