@@ -134,16 +134,20 @@ def _point(number: int, point: Any, joints: int) -> Point:
 
 
 def _seconds(number: int, duration: Any) -> float:
-    """ROS 2 has sec and nanosec, ROS 1 secs and nsecs; others write the seconds."""
+    """ROS 2 has sec and nanosec, ROS 1 secs and nsecs, and recordings nsec, too; others write the seconds. No part is dropped."""
     if isinstance(duration, int | float):
         return float(duration)
-    parts = [[_get(duration, key) for key in keys] for keys in (("sec", "secs"), ("nanosec", "nsecs"))]
-    whole, rest = (next((float(value) for value in part if value is not None), None) for part in parts)
-    if whole is None and rest is None:
-        raise InvalidInput(
-            f"points: point {number}: time_from_start: has neither sec nor nanosec, and is no number of seconds"
-        )
-    return (whole or 0.0) + 1e-9 * (rest or 0.0)
+    place = f"points: point {number}: time_from_start: "
+    spellings = ("sec", "secs"), ("nanosec", "nanosecs", "nsec", "nsecs")
+    if isinstance(duration, Mapping) and (others := set(duration) - set(sum(spellings, ()))):
+        raise InvalidInput(f"{place}unknown key {sorted(map(str, others))[0]!r}; a time has sec or secs, and {', '.join(spellings[1])}")
+    parts = [[value for key in keys if (value := _get(duration, key)) is not None] for keys in spellings]
+    if any(len(part) > 1 for part in parts):
+        raise InvalidInput(f"{place}has a part in two spellings: leave one")
+    if not any(parts):
+        raise InvalidInput(f"{place}has neither sec nor nanosec, and is no number of seconds")
+    whole, rest = (float(part[0]) if part else 0.0 for part in parts)
+    return whole + 1e-9 * rest
 
 
 def _before(first: Point, robot: Robot, start: Array, columns: list[int], tolerance: float) -> list[Point]:

@@ -126,9 +126,11 @@ def test_wrappers_and_members(arm):
         Message(message),
     ):
         np.testing.assert_array_equal(chasles.ros.joint_path(wrapped, arm).at(1.0), same)
-    for point in message["points"]:  # as ROS 1 has them
-        point["time_from_start"] = {"secs": point["time_from_start"]["sec"], "nsecs": point["time_from_start"]["nanosec"]}
-    np.testing.assert_array_equal(chasles.ros.joint_path(message, arm).at(1.0), same)
+    times = [point["time_from_start"] for point in message["points"]]
+    for whole, rest in (("secs", "nsecs"), ("sec", "nsec"), ("sec", "nanosecs")):  # of ROS 1, and of recordings
+        for point, time in zip(message["points"], times, strict=True):
+            point["time_from_start"] = {whole: time["sec"], rest: time["nanosec"]}
+        np.testing.assert_array_equal(chasles.ros.joint_path(message, arm).at(1.0), same)
 
 
 def changed(change):
@@ -162,6 +164,14 @@ REFUSED = [
     (
         changed(lambda m: m["points"][1].update(time_from_start=None)),
         "points: point 1: time_from_start: has neither sec nor nanosec",
+    ),
+    (
+        changed(lambda m: m["points"][1].update(time_from_start={"sec": 1, "nsecond": 5})),
+        "points: point 1: time_from_start: unknown key 'nsecond'; a time has sec or secs, and nanosec, nanosecs, nsec, nsecs",
+    ),
+    (
+        changed(lambda m: m["points"][1].update(time_from_start={"sec": 1, "nsec": 5, "nsecs": 5})),
+        "points: point 1: time_from_start: has a part in two spellings: leave one",
     ),
     (changed(lambda m: m["points"][2].update(time_from_start=0.0)), "path: time 2: must be finite and later than the one before"),
     (changed(lambda m: m.update(points=m["points"][:1])), "points: a path needs at least two, and there are 1"),
