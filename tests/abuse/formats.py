@@ -7,7 +7,7 @@ from pathlib import Path
 import damages
 import meshes
 from damages import Damage
-from inputs import MOTIONS_HEADER, POSE, SLOW_ROW, chain, shape
+from inputs import CERTIFICATES, MOTIONS_HEADER, POSE, SLOW_ROW, chain, shape
 from questions import BODIES, PART, ROBOT
 
 ROOT = Path(__file__).parent.parent.parent  # of the project
@@ -171,10 +171,14 @@ def rows_format(rows: bytes) -> Format:
     return Format("rows", "damaged.part", [rows, cut], [batch], (*BODIES, "motions.csv"))
 
 
+def certificate_format() -> Format:
+    return Format("certificate", "damaged.txt", CERTIFICATES, [("verify", *BODIES, "FILE")], BODIES)
+
+
 def all_formats(rows: bytes) -> dict[str, Format]:
     """`rows` are those of the batch of the small world."""
     found = [mesh_format(ending) for ending in meshes.WRITERS]
-    found += [*scene_formats(), *table_formats(), *trajectory_formats(), *robot_formats(), rows_format(rows)]
+    found += [*scene_formats(), *table_formats(), *trajectory_formats(), *robot_formats(), rows_format(rows), certificate_format()]
     return {each.name: each for each in found}
 
 

@@ -21,6 +21,9 @@ def body(name: str, mesh: str, *pose: float, **more: object) -> dict:
     return {"name": name, "mesh": mesh, "pose": pose, **more}
 
 
+# Of two cubes of `meshes.cube()`, whose digests are in them.
+CERTIFICATES = [path.read_bytes() for path in sorted((Path(__file__).parent / "certificates").iterdir())]
+
 FIXTURE = {"name": "fixture", "urdf": "fixture.urdf", "pose": [9, -9, 0]}
 
 
@@ -33,6 +36,7 @@ def write_meshes(folder: Path, moving: Mesh, other: Mesh) -> None:
         "fixture.3mf": meshes.threemf(other),
         "in_robot.dae": meshes.dae(other),
         "attached.ply": meshes.binary_ply(other),
+        "proof.txt": CERTIFICATES[0],
         "packages/parts/meshes/in_package.off": meshes.off(other),
     }
     (folder / "packages/parts/meshes").mkdir(parents=True)

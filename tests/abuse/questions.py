@@ -59,6 +59,7 @@ QUESTIONS = {
     for question in [
         Question("check", ("check", *BODIES, "MOTION", "--json"), BODIES),
         Question("certificate", ("check", *BODIES, "--start", "3,0.2,0.3", "--goal", "0,0.2,3"), BODIES, (file("--certificate"),)),
+        Question("verify", ("verify", *BODIES, "proof.txt"), (*BODIES, "proof.txt")),
         Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
         Question("profile", ("profile", *BODIES, "MOTION"), BODIES, (file("--csv"), file("--plot"))),
         Question("view", ("view", *BODIES, "MOTION"), BODIES, (file("--out"),)),
