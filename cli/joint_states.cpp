@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_wrapper = 8; ///< levels of lists and messages around a state
-
 bool is_state(const Json& json) {
     return json.is_object() && json.contains("name") && json["name"].is_array() && json.contains("position");
 }

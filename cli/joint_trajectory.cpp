@@ -23,8 +23,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_wrapper = 8; ///< levels of messages around a trajectory
-
 /// The first line that is neither blank nor a comment.
 std::string_view first_line_of(std::string_view text) {
     io::Lines lines(io::without_byte_order_mark(text));

@@ -10,6 +10,9 @@
 
 namespace chasles::cli {
 
+/// Levels of lists and messages around a trajectory or a state.
+constexpr int deepest_wrapper = 8;
+
 /// The text of a value. YAML may hold bytes that are no UTF-8.
 std::string shown(const nlohmann::json& json);
 

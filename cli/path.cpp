@@ -1,6 +1,7 @@
 // chasles path: the motions through the poses of a file. With time stamps, times count in stamps.
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
+#include "cli/certificate_file.h"
 #include "cli/commands.h"
 #include "cli/motion_rule.h"
 #include "cli/options.h"
@@ -25,6 +26,7 @@ struct PathOptions {
     QuestionOptions query;
     MotionOptions motion;
     std::string poses;
+    std::string certificate;
     bool json = false;
 };
 
@@ -36,6 +38,7 @@ struct PathQuestion {
     std::string file; ///< of the poses
 
     [[nodiscard]] bool has_stamps() const { return !path.stamps.empty(); }
+    [[nodiscard]] bool is_one_motion() const { return has_stamps() && !view::has_tau(rule.kind); }
 };
 
 // Poses and numbers are read before meshes, which may be large.
@@ -70,6 +73,16 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
     view::count_in_stamps(found, last - first);
 }
 
+std::vector<Motion> motions_of(const PathQuestion& question) {
+    const std::vector<Pose>& poses = question.path.poses;
+    if (question.is_one_motion())
+        return {track_of(question, 0, poses.size() - 1)};
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+        motions.push_back(motion_between(question.rule, poses[i], poses[i + 1]));
+    return motions;
+}
+
 /// The whole path as one motion.
 StampedContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
@@ -91,20 +104,17 @@ StampedContact answer_track(const PathQuestion& question) {
 
 /// The path segment by segment.
 StampedContact answer_segments(const PathQuestion& question) {
-    const std::vector<Pose>& poses = question.path.poses;
-    std::vector<Motion> motions;
-    for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-        motions.push_back(motion_between(question.rule, poses[i], poses[i + 1]));
+    std::vector<Motion> motions = motions_of(question);
+    for (std::size_t i = 0; i < motions.size(); ++i)
         at_place(fmt::format("{}: segment {} (from 0)", io::one_line(question.file), i),
-                 [&] { check_motion(question.bodies.moving, question.bodies.fixed, motions.back()); });
-    }
+                 [&] { check_motion(question.bodies.moving, question.bodies.fixed, motions[i]); });
     ProgressBar bar("segments", motions.size());
     PathContact found = first_contact_on_path({.moving = question.bodies.moving,
                                                .fixed = question.bodies.fixed,
                                                .motions = std::move(motions),
                                                .options = question.options,
                                                .progress = [&](std::size_t done) { bar.show(done); }});
-    std::string why = view::why_uncertain(found.contact, found.segment + 2 == poses.size());
+    std::string why = view::why_uncertain(found.contact, found.segment + 2 == question.path.poses.size());
     if (question.has_stamps())
         count_in_stamps(found.contact, track_of(question, found.segment, found.segment + 1));
     return {std::move(found), std::move(why)};
@@ -167,12 +177,17 @@ int run_path(const PathOptions& options) {
     const PathQuestion question = read_path_question(options);
     print_warnings(question.path.warnings);
     const Limit limit(seconds_of(options.query.seconds));
-    const bool is_one_motion = question.has_stamps() && !view::has_tau(question.rule.kind);
-    const StampedContact answer = is_one_motion ? answer_track(question) : answer_segments(question);
+    const StampedContact answer = question.is_one_motion() ? answer_track(question) : answer_segments(question);
     const PathContact& found = answer.found;
     const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
-    print(options.json ? path_json(found, motion, question).dump() + "\n" : path_report(answer, motion, question));
-    return status_of(found.contact.verdict);
+    view::Json json = path_json(found, motion, question);
+    const bool is_in_time = options.certificate.empty() || write_certificate({.moving = question.bodies.moving,
+                                                                              .fixed = question.bodies.fixed,
+                                                                              .motions = motions_of(question),
+                                                                              .options = question.options},
+                                                                             options.certificate, json);
+    print(options.json ? json.dump() + "\n" : path_report(answer, motion, question));
+    return is_in_time ? status_of(found.contact.verdict) : is_unknown;
 }
 
 } // namespace
@@ -190,6 +205,7 @@ void add_path(CLI::App& app, Task& task) {
         ->type_name("FILE");
     add_motion_rule_options(command, options->motion);
     add_query_options(command, options->query);
+    add_certificate_option(command, options->certificate);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_path(*options); }; });
 }

@@ -5,9 +5,9 @@
 //
 // Exit status: 0 verified, 1 not verified, 2 usage or a file that cannot be read.
 //
-// All decisions are made in integers. Lengths are integers in units of 2^unit, where unit is the lowest exponent of all
-// lengths of the input; denominators of the motion are cleared once for each piece. Floating point is used only to
-// decide clear cases quickly, with error bounds that are stated at the place: see Cell, separates_clearly, winding.
+// All decisions are made in integers. Lengths are integers in units of 2^unit, which divides all lengths of the input;
+// denominators of the motion are cleared once for each piece. What is no fraction is enclosed: see Interval. Floating
+// point only decides clear cases quickly, with error bounds stated at the place: see Cell, separates_clearly, winding.
 
 #include "verify.h"
 
@@ -20,7 +20,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -35,12 +35,14 @@ namespace certificate {
 namespace {
 
 namespace mp = boost::multiprecision;
-using std::size_t, std::string, std::uint32_t, std::uint64_t, std::uint8_t, std::vector, std::to_string;
+using std::abs, std::size_t, std::string, std::uint32_t, std::uint64_t, std::uint8_t, std::vector, std::to_string;
 using Word = std::string_view;
-using Integer = mp::number<mp::cpp_int_backend<256>, mp::et_off>;  // of any size; up to 256 bits without allocation
-using Vector = std::array<Integer, 3>;
+using Integer = mp::number<mp::cpp_int_backend<576>, mp::et_off>;  // of any size; up to 256 bits without allocation
+template <class N> using Triple = std::array<N, 3>;
+using Vector = Triple<Integer>;
 
-constexpr size_t LONGEST_WORD = 1000, MOST_FACES = 1u << 30, MOST_PIECES = 1000000, LARGEST_FILE = size_t(1) << 34;
+constexpr size_t LONGEST_WORD = 1000, MOST_FACES = 1u << 30, MOST_PIECES = 1000000, MOST_LINKS = 1000;
+constexpr size_t LARGEST_FILE = size_t(1) << 34;
 constexpr int DEEPEST_CELL = 4000;  // halvings
 
 [[noreturn]] void fail(const string& what) { throw std::runtime_error(what); }
@@ -51,42 +53,53 @@ string quote(Word word) {
     return "'" + text + (word.size() > 40 ? "...'" : "'");
 }
 
-// ---- Integers ----------------------------------------------------------------------------------------------------
+// ---- Numbers -----------------------------------------------------------------------------------------------------
 
 std::pair<std::int64_t, int> dyadic(double x) {  // x = mantissa 2^exponent with an odd mantissa, or 0
     if (x == 0) return {0, 0};
     int exponent;
-    const std::int64_t mantissa = std::ldexp(std::frexp(x, &exponent), 53);
+    const auto mantissa = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
     const int zeros = std::countr_zero(uint64_t(mantissa));
     return {mantissa >> zeros, exponent - 53 + zeros};
 }
 
-template <class Numbers>
-int lowest_exponent(const Numbers& numbers, int unit) {
-    for (double x : numbers) unit = x == 0 ? unit : std::min(unit, dyadic(x).second);
-    return unit;
-}
+struct Range {  // of exponents: 2^lowest divides all numbers, and 2^highest is above them
+    int lowest = 0, highest = -1100;
+    template <class Numbers>
+    void add(const Numbers& numbers) {
+        for (double x : numbers)
+            if (x != 0) lowest = std::min(lowest, dyadic(x).second), highest = std::max(highest, std::ilogb(x) + 1);
+    }
+};
 
 Integer in_units(double x, int unit) {  // of 2^unit, which divides x
     const auto [mantissa, exponent] = dyadic(x);
     return mantissa == 0 ? Integer(0) : Integer(mantissa) << (exponent - unit);
 }
-
 Vector in_units(const Corner& c, int u) { return {in_units(c[0], u), in_units(c[1], u), in_units(c[2], u)}; }
-Integer dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector operator*(const Integer& s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
+
+template <class N> N dot(const Triple<N>& a, const Triple<N>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+template <class N> Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+template <class S, class N> Triple<N> operator*(const S& s, const Triple<N>& a) {
+    return {s * a[0], s * a[1], s * a[2]};
+}
+template <class N> Triple<N> operator+(const Triple<N>& a, const Triple<N>& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+template <class N> Triple<N> operator-(const Triple<N>& a) { return {-a[0], -a[1], -a[2]}; }
+template <class N> Triple<N> operator-(const Triple<N>& a, const Triple<N>& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+bool is_zero(const Vector& a) { return a == Vector{}; }
 
 double truncated(const Integer& x, long exponent) {  // x 2^exponent, up to 2^-52 of it nearer to 0, if not subnormal
     if (x == 0) return 0;
     const Integer size = abs(x);
     const long cut = std::max(0L, long(msb(size)) - 52);
-    const double top = uint64_t(size >> cut), result = std::ldexp(top, std::clamp(cut + exponent, -9999L, 9999L));
+    const auto top = double(uint64_t(size >> cut));
+    const double result = std::ldexp(top, int(std::clamp(cut + exponent, -9999L, 9999L)));
     return x < 0 ? -result : result;
 }
 
@@ -94,55 +107,149 @@ bool moderate(double x, int exponent) {  // 0 or in [2^-exponent, 2^exponent]
     return x == 0 || (std::abs(x) >= std::ldexp(1, -exponent) && std::abs(x) <= std::ldexp(1, exponent));
 }
 
+// A number between middle - radius and middle + radius. With integers nothing is rounded, and an exact one has the
+// radius 0. With doubles `outward` makes up for the roundings of the middle (2^-53 of it) and of the radius, and adds
+// 2^-900 for underflow.
+const Integer& outward(const Integer& radius, const Integer&) { return radius; }
+double outward(double radius, double middle) { return (radius + abs(middle) * 0x1p-52) * (1 + 0x1p-50) + 0x1p-900; }
+
+template <class N>
+struct Ball {
+    N middle, radius;
+    Ball(N m = 0, N r = 0) : middle(std::move(m)), radius(std::move(r)) {}
+    bool not_negative() const { return middle >= radius; }
+    int sign() const { return abs(middle) > radius ? (middle < 0 ? -1 : 1) : 0; }  // 0 also if it is not known
+    N most() const { return abs(middle) + radius; }  // of the absolute value
+    bool is_zero() const { return middle == 0 && radius == 0; }
+    Ball operator-() const { return {-middle, radius}; }
+    friend Ball operator+(const Ball& a, const Ball& b) {
+        const N middle = a.middle + b.middle;
+        return {middle, outward(a.radius + b.radius, middle)};
+    }
+    friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
+    friend Ball operator*(const Ball& a, const Ball& b) {
+        if (a.is_zero() || b.is_zero()) return {};  // frequent in matrices
+        const N middle = a.middle * b.middle;
+        return {middle, outward(abs(a.middle) * b.radius + a.radius * b.most(), middle)};
+    }
+};
+using Interval = Ball<Integer>;
+using Enclosure = Triple<Interval>;
+template <class N> Triple<Ball<N>> balls(const Triple<N>& v) { return {v[0], v[1], v[2]}; }
+
+// Numbers without a unit (those of a rotation, angles, tau) are enclosed as multiples of 2^-BITS. In a chain 2^BITS
+// units of length are more than the greatest length. Products are divided by ONE = 2^BITS. `up` is not less than the
+// quotient; for doubles, which stay as they are, it makes up for the roundings of 4000 sums and products before.
+constexpr int BITS = 256;
+const Integer ONE = Integer(1) << BITS;
+Integer up(const Integer& x) { return (x >> BITS) + 1; }
+double up(double x) { return x * (1 + 0x1p-40) + 0x1p-900; }
+Interval reduced(const Interval& x) { return x.is_zero() ? x : Interval{x.middle >> BITS, up(x.radius) + 1}; }
+Enclosure reduced(const Enclosure& x) { return {reduced(x[0]), reduced(x[1]), reduced(x[2])}; }
+bool absurd(const Integer& x) { return msb(x) > 20000; }                // takes too long
+bool absurd(double) { return false; }
+Integer root(const Integer& x) { return sqrt(x) + 1; }                   // not less than the square root
+double root(double x) { return up(std::sqrt(x + 0x1p-1000)); }           // squares may underflow
+template <class N> N length(const Triple<Ball<N>>& y) {                  // not less than |y|
+    const Triple<N> most = {y[0].most(), y[1].most(), y[2].most()};
+    return root(dot(most, most));
+}
+Interval quotient(const Interval& a, const Integer& b) { return {a.middle / b, a.radius / b + 2}; }  // b > 0
+Enclosure quotient(const Vector& a, const Integer& b) {
+    return {quotient(a[0], b), quotient(a[1], b), quotient(a[2], b)};
+}
+Ball<double> rounded(const Interval& x, int exponent) {  // times 2^exponent
+    const double middle = truncated(x.middle, exponent);
+    return {middle, outward(up(truncated(x.radius, exponent)) + abs(middle) * 0x1p-49, middle)};
+}
+Triple<Ball<double>> rounded(const Enclosure& x, int e) {
+    return {rounded(x[0], e), rounded(x[1], e), rounded(x[2], e)};
+}
+Interval fixed_point(const Integer& mantissa, long exponent) {  // mantissa 2^exponent
+    const long shift = exponent + BITS;
+    return shift >= 0 ? Interval(mantissa << shift) : Interval(mantissa >> -shift, 1);
+}
+Interval fixed_point(double x) { return fixed_point(dyadic(x).first, dyadic(x).second); }
+
+Enclosure unit_vector(const Vector& a) {  // the root of a whole number is rounded down
+    Enclosure u;
+    for (size_t i = 0; i < 3; ++i)
+        if (a[i] != 0) u[i] = {a[i].sign() * sqrt(Integer((a[i] * a[i] << 2 * BITS) / dot(a, a))), 1};
+    return u;
+}
+
+// Of a number in [0, 1]. Four times, atan x = 2 atan y with y = x / (1 + sqrt(1 + x^2)): the rounded root makes y too
+// large by less than 1, rounding y makes it too small by less than 1. Then x < 0.1, and its powers divided by 1, 3, 5
+// and so on have alternating signs: the rest of the sum is less than the next of them. The slope is at most 1.
+Interval arc_tangent(const Interval& x, int halvings = 4) {
+    Interval sum, power = x.middle;
+    if (halvings > 0) {
+        const Integer y = (x.middle << BITS) / (ONE + sqrt(Integer(ONE * ONE + x.middle * x.middle)));
+        sum = Interval(2) * arc_tangent({y, 1}, halvings - 1);
+    } else {
+        const Interval square = reduced(power * power);
+        for (int n = 1; power.middle != 0; n += 2, power = reduced(power * square))
+            sum = n % 4 == 1 ? sum + quotient(power, n) : sum - quotient(power, n);
+        sum.radius += power.radius;
+    }
+    return {sum.middle, sum.radius + x.radius};
+}
+
+// After whole quarter turns, the rest has an absolute value x < 1.6. The powers of x, divided by the factorials, are at
+// least halved by each step from the third on: from one of them on, the sum is at most twice that one. The slopes are
+// at most 1.
+std::pair<Interval, Interval> cosine_and_sine(const Interval& angle) {
+    static const Interval quarter = Interval(2) * arc_tangent(ONE);
+    const Integer quarters = angle.middle / quarter.middle;
+    const Interval rest = angle - quarters * quarter;
+    if (rest.radius > ONE >> 100) fail("an angle is too large");
+    Interval cosine, sine, term = ONE;
+    for (int n = 0; term.middle != 0; ++n) {
+        Interval& sum = n % 2 == 0 ? cosine : sine;
+        sum = n % 4 < 2 ? sum + term : sum - term;
+        term = quotient(reduced(term * abs(rest.middle)), n + 1);
+    }
+    for (Interval* sum : {&cosine, &sine}) sum->radius += 2 * term.radius + rest.radius;
+    if (rest.middle < 0) sine = -sine;
+    for (int n = int((quarters % 4 + 4) % 4); n > 0; --n) std::swap(cosine, sine), cosine = -cosine;
+    return {cosine, sine};
+}
+
 // ---- SHA-256 (FIPS 180-4) ----------------------------------------------------------------------------------------
 
-class Sha256 {
-public:
-    void add(uint64_t value, int bytes) {  // little-endian
-        for (int i = 0; i < bytes; ++i) add(uint8_t(value >> 8 * i));
+string sha256(string data) {
+    std::array<uint32_t, 64> k, w{};
+    std::array<uint32_t, 8> h, s;
+    uint32_t p = 1, divisor;
+    for (size_t n = 0; n < 64; ++n) {  // the constants are the fractional parts of roots of the first primes
+        do
+            for (divisor = 2, ++p; p % divisor != 0;) ++divisor;
+        while (divisor < p);
+        if (n < 8) h[n] = uint32_t(uint64_t(std::sqrt(p) * 0x1p32));
+        k[n] = uint32_t(uint64_t(std::cbrt(p) * 0x1p32));
     }
-    string hexadecimal() {
-        const uint64_t bits = 8 * length;
-        add(0x80);
-        while (length % 64 != 56) add(0);
-        for (int i = 56; i >= 0; i -= 8) add(uint8_t(bits >> i));
-        string text;
-        for (int i = 0; i < 64; ++i) text += "0123456789abcdef"[h[i / 8] >> (28 - i % 8 * 4) & 15];
-        return text;
-    }
-
-private:
-    void add(uint8_t byte) {
-        block[length / 4 % 16] = block[length / 4 % 16] << 8 | byte;
-        if (++length % 64 == 0) compress();
-    }
-    static uint32_t mix(uint32_t x, int a, int b, int c) { return std::rotr(x, a) ^ std::rotr(x, b) ^ std::rotr(x, c); }
-    void compress() {
-        std::array<uint32_t, 64> w;
-        std::array<uint32_t, 8> s = h;
-        for (int i = 0; i < 64; ++i) {
-            w[i] = i < 16 ? block[i] : w[i - 16] + w[i - 7] + (std::rotr(w[i - 15], 7) ^ std::rotr(w[i - 15], 18) ^
-                   w[i - 15] >> 3) + (std::rotr(w[i - 2], 17) ^ std::rotr(w[i - 2], 19) ^ w[i - 2] >> 10);
-            const uint32_t a = s[7] + mix(s[4], 6, 11, 25) + ((s[4] & s[5]) ^ (~s[4] & s[6])) + K[i] + w[i];
+    const uint64_t bits = 8 * data.size();
+    data += '\x80';
+    while (data.size() % 64 != 56) data += '\0';
+    for (int i = 56; i >= 0; i -= 8) data += char(bits >> i);
+    auto mix = [](uint32_t x, int a, int b, int c) { return std::rotr(x, a) ^ std::rotr(x, b) ^ std::rotr(x, c); };
+    for (size_t at = 0; at < data.size(); at += 64) {
+        s = h;
+        for (size_t i = 0; i < 64; ++i) {
+            for (size_t j = 0; i < 16 && j < 4; ++j) w[i] = w[i] << 8 | uint8_t(data[at + 4 * i + j]);
+            if (i >= 16)
+                w[i] = w[i - 16] + w[i - 7] + (std::rotr(w[i - 15], 7) ^ std::rotr(w[i - 15], 18) ^ w[i - 15] >> 3) +
+                       (std::rotr(w[i - 2], 17) ^ std::rotr(w[i - 2], 19) ^ w[i - 2] >> 10);
+            const uint32_t a = s[7] + mix(s[4], 6, 11, 25) + ((s[4] & s[5]) ^ (~s[4] & s[6])) + k[i] + w[i];
             const uint32_t b = mix(s[0], 2, 13, 22) + ((s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]));
             s = {a + b, s[0], s[1], s[2], s[3] + a, s[4], s[5], s[6]};
         }
-        for (int i = 0; i < 8; ++i) h[i] += s[i];
+        for (size_t i = 0; i < 8; ++i) h[i] += s[i];
     }
-    static constexpr uint32_t K[64] = {
-        0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5, 0xd807aa98,
-        0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174, 0xe49b69c1, 0xefbe4786,
-        0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da, 0x983e5152, 0xa831c66d, 0xb00327c8,
-        0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967, 0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13,
-        0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85, 0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819,
-        0xd6990624, 0xf40e3585, 0x106aa070, 0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a,
-        0x5b9cca4f, 0x682e6ff3, 0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7,
-        0xc67178f2};
-    std::array<uint32_t, 8> h = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-    std::array<uint32_t, 16> block{};
-    uint64_t length = 0;
-};
+    string text;
+    for (size_t i = 0; i < 64; ++i) text += "0123456789abcdef"[h[i / 8] >> (28 - i % 8 * 4) & 15];
+    return text;
+}
 
 // ---- Words -------------------------------------------------------------------------------------------------------
 
@@ -158,49 +265,50 @@ struct Reader {
     string text{};     // of this line
     size_t at = 0, line = 0;
 
-    bool continued() {
-        if (text.ends_with('\r')) text.pop_back();
-        if (!joins || !text.ends_with('\\')) return false;
-        text.back() = ' ';
-        return true;
-    }
     bool next_line() {  // false at the end of the file
         at = 0, text.clear();
         if (!std::getline(in, text)) return false;
-        ++line;
-        for (string more; continued() && std::getline(in, more); ++line) text += more;
+        for (string more;; text += more) {
+            ++line;
+            if (text.ends_with('\r')) text.pop_back();
+            if (!joins || !text.ends_with('\\')) break;
+            text.back() = ' ';
+            if (!std::getline(in, more)) break;
+        }
         text.resize(std::min(text.find('#'), text.size()));
         return true;
     }
-    Word optional_word() {  // the next word of this line; empty if there is none
-        const auto blank = [&] { return text[at] == ' ' || (text[at] >= '\t' && text[at] <= '\r'); };
+    bool blank() const { return text[at] == ' ' || (text[at] >= '\t' && text[at] <= '\r'); }
+    bool more() {  // words in this line
         while (at < text.size() && blank()) ++at;
+        return at < text.size();
+    }
+    Word optional_word() {  // the next word of this line; empty if there is none
+        more();
         const size_t start = at;
         while (at < text.size() && !blank()) ++at;
         if (at - start > LONGEST_WORD) fail("a word is too long");
         return Word(text).substr(start, at - start);
     }
     Word word() {  // the next word of this line
-        const Word word = optional_word();
-        if (word.empty()) fail("a word is missing at the end of the line");
-        return word;
+        if (!more()) fail("a word is missing at the end of the line");
+        return optional_word();
     }
     Word any_word() {  // the next word of this or a later line; empty at the end of the file
-        Word word = optional_word();
-        while (word.empty() && next_line()) word = optional_word();
-        return word;
+        while (!more() && next_line()) {}
+        return optional_word();
     }
     void expect(Word wanted, Word word) {
         if (word != wanted) fail(quote(wanted) + " expected instead of " + (word.empty() ? "the end" : quote(word)));
     }
     void end_of_line() {
-        if (const Word word = optional_word(); !word.empty()) fail("unexpected word " + quote(word));
+        if (more()) fail("unexpected word " + quote(optional_word()));
     }
-    size_t number(size_t limit) {  // below the limit
+    size_t number(size_t limit, size_t least = 0) {  // below the limit
         size_t n;
         const Word digits = word();
         if (!parse(digits, n)) fail("not a number: " + quote(digits));
-        if (n >= limit) fail("the number " + quote(digits) + " is out of range");
+        if (n < least || n >= limit) fail("the number " + quote(digits) + " is out of range");
         return n;
     }
     Integer integer(Word word) {
@@ -219,11 +327,11 @@ struct Reader {
         string digits(rest.substr(0, p));
         if (point < p) digits.erase(point, 1);
         const bool plus = rest.substr(p + 1).starts_with('+') && !rest.substr(p + 1).starts_with("+-");
-        const Word power = rest.substr(p + 1 + plus);
         uint64_t mantissa;
         int exponent;
         if (!digits.starts_with("0x") || digits.find_first_of("ABCDEF") != string::npos ||
-            !parse(Word(digits).substr(2), mantissa, 16) || !parse(power, exponent) || std::abs(long(exponent)) > 99999)
+            !parse(Word(digits).substr(2), mantissa, 16) || !parse(rest.substr(p + 1 + plus), exponent) ||
+            std::abs(long(exponent)) > 99999)
             fail("not a hexadecimal number: " + quote(all));
         exponent -= point < p ? 4 * int(p - point - 1) : 0;
         const double x = std::ldexp(double(mantissa), exponent);
@@ -237,6 +345,7 @@ struct Reader {
         if (x < 0) fail("a negative number");
         return x + 0.0;  // 0 for -0
     }
+    Corner decimal_corner() { return {decimal(), decimal(), decimal()}; }
     double decimal() {
         double x;
         const Word all = word();
@@ -244,9 +353,7 @@ struct Reader {
             fail("not a finite decimal number: " + quote(all));
         return x;
     }
-    Corner decimal_corner() { return {decimal(), decimal(), decimal()}; }
 };
-
 // ---- Bodies ------------------------------------------------------------------------------------------------------
 
 // A range of the order; all nodes are numbered in depth-first order.
@@ -255,6 +362,13 @@ struct Node { uint32_t begin, end, number; };
 std::pair<Node, Node> halves(const Node& n) {
     const uint32_t middle = n.begin + (n.end - n.begin) / 2;  // = (begin + end) / 2 rounded down
     return {{n.begin, middle, n.number + 1}, {middle, n.end, n.number + 2 * (middle - n.begin)}};
+}
+
+template <class Item>
+void make_unique(vector<Item>& items) {
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+    items.shrink_to_fit();
 }
 
 struct Body {
@@ -271,14 +385,17 @@ struct Body {
 
     void read(const Mesh& mesh) {
         if (mesh.empty() || mesh.size() >= MOST_FACES) fail("the " + name + " body has no faces or too many");
-        Sha256 sha;
+        string data;  // to be hashed
+        const auto add = [&](uint64_t value, int bytes) {  // little-endian
+            for (int i = 0; i < bytes; ++i) data += char(value >> 8 * i);
+        };
         for (const auto& face : mesh) {
             if (face.size() < 3) fail("a face of the " + name + " body has less than three corners");
-            sha.add(face.size(), 4);
+            add(face.size(), 4);
             for (Corner c : face) {
                 for (size_t i = 0; i < 3; ++i) {
                     if (!std::isfinite(c[i])) fail("a coordinate of the " + name + " body is not finite");
-                    sha.add(std::bit_cast<uint64_t>(c[i] += 0.0), 8);  // 0 for -0
+                    add(std::bit_cast<uint64_t>(c[i] += 0.0), 8);  // 0 for -0
                     largest[i] = std::max(largest[i], std::abs(c[i]));
                     is_moderate = is_moderate && moderate(c[i], 200);
                 }
@@ -286,13 +403,12 @@ struct Body {
             }
             first.push_back(points.size());
         }
-        hash = sha.hexadecimal();
+        hash = sha256(std::move(data));
         const vector<Corner> all = points;
         if (all.size() >= 4 * MOST_FACES - 1) fail("the " + name + " body has too many corners");
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        make_unique(points);
         for (const Corner& c : all)
-            corners.push_back(std::lower_bound(points.begin(), points.end(), c) - points.begin());
+            corners.push_back(uint32_t(std::lower_bound(points.begin(), points.end(), c) - points.begin()));
     }
 
     size_t faces() const { return first.size() - 1; }
@@ -305,9 +421,8 @@ struct Body {
         for (size_t f = 0; f < faces(); ++f) {
             vector<uint32_t> c(corners.begin() + first[f], corners.begin() + first[f + 1]);
             for (size_t k = 0; k < c.size(); ++k) edges.push_back(uint64_t(c[k]) << 32 | c[(k + 1) % c.size()]);
-            std::sort(c.begin(), c.end());
-            if (std::adjacent_find(c.begin(), c.end()) != c.end())
-                fail("face " + to_string(f) + " of the solid " + name + " body has a corner twice");
+            make_unique(c);
+            if (c.size() < size(f)) fail("face " + to_string(f) + " of the solid " + name + " body has a corner twice");
         }
         std::sort(edges.begin(), edges.end());
         if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
@@ -319,7 +434,7 @@ struct Body {
 
     void find_parts() {
         part.resize(points.size());
-        std::iota(part.begin(), part.end(), 0);
+        std::iota(part.begin(), part.end(), 0u);
         const auto root = [&](uint32_t p) {
             while (part[p] != p) p = part[p] = part[part[p]];
             return p;
@@ -335,9 +450,7 @@ struct Body {
         if (!list.empty()) return list;
         for (size_t i = node.begin; i < node.end; ++i)
             list.insert(list.end(), corners.begin() + first[order[i]], corners.begin() + first[order[i] + 1]);
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-        list.shrink_to_fit();
+        make_unique(list);
         return list;
     }
 };
@@ -348,58 +461,94 @@ struct Quaternion {
     Integer w;
     Vector v;
     Integer norm() const { return w * w + dot(v, v); }
+    Quaternion conjugate() const { return {-w, v}; }  // or its negative: the same rotation
+    Quaternion operator*(const Quaternion& q) const {
+        return {w * q.w - dot(v, q.v), w * q.v + q.w * v + cross(v, q.v)};
+    }
     Vector rotate(const Vector& y) const {  // q y q^-1, times norm()
         return (w * w - dot(v, v)) * y + 2 * dot(v, y) * v + 2 * w * cross(v, y);
     }
 };
 
 struct Pose {
-    Corner position;
-    std::array<double, 4> q;
-    Quaternion quaternion() const {  // times a power of two, which changes nothing
-        const int u = lowest_exponent(q, 1023);
-        return {in_units(q[0], u), {in_units(q[1], u), in_units(q[2], u), in_units(q[3], u)}};
+    Vector position;  // times `scale`
+    Integer scale;
+    Quaternion q;     // of any length
+
+    // Of seven numbers, or of fourteen: that of the first pose as seen from the second one.
+    Pose(const double* x, bool fourteen, int unit) : position(in_units({x[0], x[1], x[2]}, unit)), scale(1) {
+        Range exponents;
+        exponents.add(std::array{x[3], x[4], x[5], x[6]});
+        const int u = exponents.lowest;  // times a power of two, which changes nothing
+        q = {in_units(x[3], u), in_units(Corner{x[4], x[5], x[6]}, u)};
+        if (!fourteen) return;
+        const Pose frame(x + 7, false, unit);
+        const Quaternion back = frame.q.conjugate();
+        position = back.rotate(position - frame.position), scale = frame.q.norm(), q = back * q;
     }
 };
 
-Quaternion turn(const Quaternion& q0, const Quaternion& q1) {  // q1 q0^-1 or its negative, times |q0|^2
-    const Integer w = q1.w * q0.w + dot(q1.v, q0.v), sign = w < 0 ? -1 : 1;
-    if (w == 0) fail("a piece is half a turn");
-    return {sign * w, sign * (q0.w * q1.v - q1.w * q0.v - cross(q1.v, q0.v))};
+Quaternion turn(const Quaternion& q0, const Quaternion& q1) {  // q1 q0^-1 or its negative, times |q0| |q0|
+    const Quaternion q = q1 * q0.conjugate();
+    if (q.w == 0) fail("a piece is half a turn");
+    return q.w < 0 ? Quaternion{-q.w, -q.v} : q;
 }
 
 // The numbers that make W p and W of a corner b: coordinate i of W p is the sum of [4 i + k] b_k over k = 0, 1, 2, and
 // [4 i + 3]; W is [12].
 constexpr size_t COLUMNS = 13, W = 12;
-template <class Number>
-using Cubic = std::array<std::array<Number, COLUMNS>, 4>;  // coefficients of powers, or of Bernstein polynomials
+template <class N> using Row = std::array<N, COLUMNS>;
+template <class N> using Cubic = std::array<Row<N>, 4>;  // coefficients of powers, or of Bernstein polynomials
 
-// W p and W of a piece in powers of tau / end, times a common factor: w w vv |q0|^2, where vv is v . v, or 1 if v = 0.
-// With the numerators along' = along vv, across' = across vv and m' = 2 w vv m, all terms are integers.
-Cubic<Integer> motion_of(const Pose& from, const Pose& to, double end, int unit) {
-    const Quaternion q0 = from.quaternion();
-    const auto [w, v] = turn(q0, to.quaternion());
-    const Integer square = dot(v, v), vv = square == 0 ? Integer(1) : square, norm = q0.norm(), ww = w * w;
-    const Vector t0 = in_units(from.position, unit), q = in_units(to.position, unit) - t0;
-    const Vector along = square == 0 ? q : dot(v, q) * v, across = vv * q - along, m = w * across - cross(v, across);
-    Cubic<Integer> c{};
-    const auto set_column = [&](size_t k, const std::array<Vector, 4>& column) {
-        for (size_t power = 0; power < 4; ++power)
-            for (size_t i = 0; i < 3; ++i) c[power][4 * i + k] = column[power][i];
-    };
-    for (size_t k = 0; k < 3; ++k) {
-        const Vector y = q0.rotate({k == 0, k == 1, k == 2}), vy = cross(v, y);
-        set_column(k, {ww * vv * y, 2 * w * vv * vy, vv * (square * y + 2 * cross(v, vy)), Vector{}});
-    }
-    set_column(3, {ww * vv * norm * t0, norm * (ww * along + w * m), norm * (vv * square * t0 + cross(v, m)),
-                   norm * square * along});
-    c[0][W] = ww * vv * norm;
-    c[2][W] = square * vv * norm;
+// W p and W of a screw or sweep in powers of tau / end, times a common factor. For both kinds
+//   W = W0 + tau W1 + tau^2 W2,  e = e0 + tau e1,  turned(y) = W y + 2 tau e (v x y) + 2 tau^2 v x (v x y),
+//   W p = turned(R0 b - from) + W (start + tau way) + tau e0 m + tau^2 v x m,
+// where for a screw W and e are multiplied by w w and w, `from` is 0, and m = w across - v x across; for a sweep `from`
+// is R0 C, and m is 0. With N, that of a sweep is x + z N with integers x and z, because N N is one. So where a
+// condition holds for two numbers in the place of N, one below and one above it, it holds for N.
+vector<Cubic<Integer>> cubics_of(const Pose& from, const Pose& to, const Vector* centre, double end) {
+    auto [w, v] = turn(from.q, to.q);
+    if (centre) w <<= BITS, v = ONE * v;  // makes N a large number
+    const Integer square = dot(v, v), norm = from.q.norm(), scale = from.scale * to.scale;
+    const Vector t0 = to.scale * from.position, q = from.scale * to.position - t0;  // times the scale
     const auto [mantissa, exponent] = dyadic(end);  // at most 1, so that the exponent is at most 0
-    Integer factor = 1;
-    for (int power = 0; power < 4; ++power, factor *= mantissa)
-        for (Integer& x : c[power]) x = (x * factor) << (3 - power) * -exponent;
-    return c;
+    const auto cubic = [&, &v = v, mantissa = mantissa, exponent = exponent](
+            const Vector& w012, const Integer& e0, const Integer& e1, const Integer& factor, const Vector& from_centre,
+            const Vector& start, const Vector& way, const Vector& m) {
+        Cubic<Integer> c{};
+        for (size_t k = 0; k < 4; ++k) {
+            const Vector y = k < 3 ? factor * from.q.rotate({k == 0, k == 1, k == 2}) : -from_centre;
+            const Vector vy = cross(v, y);
+            std::array<Vector, 4> column = {w012[0] * y, w012[1] * y + 2 * e0 * vy,
+                                            w012[2] * y + 2 * e1 * vy + 2 * cross(v, vy), Vector{}};
+            if (k == 3) {
+                column[1] = column[1] + e0 * m, column[2] = column[2] + cross(v, m);
+                for (size_t j = 0; j < 3; ++j)
+                    column[j] = column[j] + w012[j] * start, column[j + 1] = column[j + 1] + w012[j] * way;
+            }
+            for (size_t i = 0; i < 12; ++i) c[i / 3][i % 3 * 4 + k] = column[i / 3][i % 3];
+        }
+        for (size_t j = 0; j < 3; ++j) c[j][W] = norm * factor * w012[j];
+        Integer power = 1;
+        for (int j = 0; j < 4; ++j, power *= mantissa)
+            for (Integer& x : c[size_t(j)]) x = (x * power) << (3 - j) * -exponent;
+        return c;
+    };
+    if (!centre) {
+        const Integer vv = square == 0 ? Integer(1) : square;
+        const Vector along = square == 0 ? q : dot(v, q) * v, across = vv * q - along;  // times vv
+        return {cubic({w * w, 0, square}, w, 0, vv * scale, Vector{}, norm * vv * t0, norm * along,
+                      norm * (w * across - cross(v, across)))};
+    }
+    const Integer norm1 = to.q.norm(), factor = scale * norm1, nn = w * w + square, root = sqrt(nn);
+    const Vector c0 = factor * from.q.rotate(*centre), c1 = scale * norm * to.q.rotate(*centre);  // without positions
+    vector<Cubic<Integer>> bounds;
+    for (const Integer& n : {root, Integer(root + 1)}) {
+        const Integer w2 = 2 * (nn - w * n);
+        bounds.push_back(cubic({nn, -w2, w2}, n, w - n, factor, c0, norm * norm1 * t0 + c0,
+                               norm * norm1 * q + c1 - c0, Vector{}));
+    }
+    return bounds;
 }
 
 // Three times 8^depth times the Bernstein coefficients on [index, index + 1] / 2^depth.
@@ -422,51 +571,207 @@ struct Cell {
     int depth = 0;
     Integer index = 0;
     Cubic<double> rounded{};
-    std::unique_ptr<Cubic<Integer>> exact{};  // made when needed
+    vector<Cubic<Integer>> exact{};  // made when needed
 };
 
 std::pair<Cell, Cell> halves(const Cell& cell) {
-    Cell low{cell.depth + 1, 2 * cell.index}, high{cell.depth + 1, 2 * cell.index + 1};
-    for (size_t k = 0; k < COLUMNS; ++k) {  // de Casteljau
-        const double b0 = cell.rounded[0][k], b1 = cell.rounded[1][k], b2 = cell.rounded[2][k], b3 = cell.rounded[3][k];
-        const double b01 = (b0 + b1) / 2, b12 = (b1 + b2) / 2, b23 = (b2 + b3) / 2;
-        const double b012 = (b01 + b12) / 2, b123 = (b12 + b23) / 2, middle = (b012 + b123) / 2;
-        low.rounded[0][k] = b0, low.rounded[1][k] = b01, low.rounded[2][k] = b012, low.rounded[3][k] = middle;
-        high.rounded[0][k] = middle, high.rounded[1][k] = b123, high.rounded[2][k] = b23, high.rounded[3][k] = b3;
+    Cell low{cell.depth + 1, 2 * cell.index, cell.rounded}, high{cell.depth + 1, 2 * cell.index + 1, cell.rounded};
+    for (size_t round = 1; round < 4; ++round) {  // de Casteljau
+        for (size_t j = 0; j + round < 4; ++j)
+            for (size_t k = 0; k < COLUMNS; ++k)
+                high.rounded[j][k] = (high.rounded[j][k] + high.rounded[j + 1][k]) / 2;
+        low.rounded[round] = high.rounded[0];
     }
     return {std::move(low), std::move(high)};
 }
 
+// ---- Chains ------------------------------------------------------------------------------------------------------
+
+using Matrix = Triple<Enclosure>;  // its columns
+Enclosure operator*(const Matrix& m, const Enclosure& x) { return reduced(x[0] * m[0] + x[1] * m[1] + x[2] * m[2]); }
+Matrix operator*(const Matrix& a, const Matrix& b) { return {a * b[0], a * b[1], a * b[2]}; }
+Matrix transposed(const Matrix& m) {
+    Matrix t;
+    for (size_t i = 0; i < 9; ++i) t[i / 3][i % 3] = m[i % 3][i / 3];
+    return t;
+}
+Matrix identity() {
+    const Interval zero;
+    return {Enclosure{ONE, zero, zero}, Enclosure{zero, ONE, zero}, Enclosure{zero, zero, ONE}};
+}
+
+struct Link {  // as the file has it
+    string kind;
+    bool back = false;
+    vector<double> fixed{};  // numbers of its line
+    size_t first = 0, size = 0;  // of its numbers at a knot
+    bool between_poses() const { return size == 7; }
+};
+
+struct LinkMotion {  // of a piece; named as on the page
+    bool back = false, turns = false, rotated = false;  // rotated: R is not 1
+    Enclosure a0{}, v{}, b{}, axis{};  // axis: k
+    Interval theta0{}, omega{};
+    Matrix r = identity();
+
+    LinkMotion(const Link& link, const double* from, const double* to, int unit) : back(link.back) {
+        const auto set_rotation = [&](const Quaternion& q) {
+            rotated = true;
+            for (size_t k = 0; k < 3; ++k) r[k] = quotient(ONE * q.rotate({k == 0, k == 1, k == 2}), q.norm());
+        };
+        if (link.kind == "pose") {
+            const Pose pose(&link.fixed[0], false, unit);
+            a0 = balls(pose.position), set_rotation(pose.q);
+        } else if (!link.between_poses()) {
+            Range exponents;
+            exponents.add(link.fixed);
+            const Vector along = in_units({link.fixed[0], link.fixed[1], link.fixed[2]}, exponents.lowest);
+            if (link.kind == "turn") {
+                turns = true, axis = unit_vector(along), theta0 = fixed_point(*from), omega = fixed_point(*to) - theta0;
+            } else {
+                const Integer s0 = in_units(*from, unit), way = in_units(*to, unit) - s0, one = 1;
+                const Integer above = one << std::max(exponents.lowest, 0), below = one << std::max(-exponents.lowest, 0);
+                a0 = quotient(above * s0 * along, below), v = quotient(above * way * along, below);
+            }
+        } else {
+            const Pose p0(from, false, unit), p1(to, false, unit);
+            const Quaternion q = turn(p0.q, p1.q);
+            const Integer vv = dot(q.v, q.v);
+            const Vector way = p1.position - p0.position;
+            v = balls(way), set_rotation(p0.q);
+            if (vv != 0) {
+                // The angle is 4 atan (|v| / (N + w)). Both roots, of numbers times ONE^2, are rounded down.
+                const Integer length = sqrt(Integer(vv << 2 * BITS)), n = sqrt(Integer(q.norm() << 2 * BITS));
+                turns = true, axis = unit_vector(q.v);
+                omega = Interval(4) * arc_tangent({(length << BITS) / (n + (q.w << BITS)), 2});
+            }
+            Enclosure c{};  // of a twist as on the page, of a velocity R0 C
+            if (link.kind == "velocity") {
+                const Vector centre = in_units({link.fixed[0], link.fixed[1], link.fixed[2]}, unit);
+                c = quotient(p0.q.rotate(centre), p0.q.norm());
+                v = v + quotient(p1.q.rotate(centre), p1.q.norm()) - c;
+            } else if (vv != 0) {
+                const Vector along = dot(q.v, way) * q.v, across = vv * way - along;  // times vv
+                c = quotient(vv * across + q.w * cross(q.v, across), 2 * vv * vv);
+                v = quotient(along, vv);
+            }
+            a0 = balls(p0.position) + c, b = -c;
+        }
+    }
+
+    Matrix rotation(const Interval& tau) const {  // S
+        if (!turns) return identity();
+        const auto [cosine, sine] = cosine_and_sine(theta0 + reduced(tau * omega));
+        Matrix s = identity();
+        for (Enclosure& e : s)
+            e = reduced(cosine * e + sine * reduced(cross(axis, e)) +
+                        reduced((ONE - cosine) * reduced(dot(axis, e))) * axis);
+        return s;
+    }
+};
+
+// Images of the three unit vectors without that of 0, and that of 0.
+template <class N> using Affine = std::array<Triple<Ball<N>>, 4>;
+
+Enclosure image(const Affine<Integer>& f, const Vector& b) {
+    return reduced(b[0] * f[0] + b[1] * f[1] + b[2] * f[2]) + f[3];
+}
+// The radii from `rounded` are at least 2^-49 of the middles; roundings are at most 2^-51 of the sum of the terms.
+Triple<Ball<double>> image(const Affine<double>& f, const Corner& b) {
+    Triple<Ball<double>> y;
+    for (size_t i = 0; i < 3; ++i) {
+        y[i] = f[3][i];
+        for (size_t k = 0; k < 3; ++k)
+            y[i].middle += b[k] * f[k][i].middle, y[i].radius += abs(b[k]) * f[k][i].radius;
+        y[i].radius = up(y[i].radius);
+    }
+    return y;
+}
+
+template <class N>
+struct Stage {  // y and y' of a link that turns, or after the last link x and x', as functions of b
+    Affine<N> place{}, rate{};
+    N omega = 0;  // not less than |omega|
+};
+
+vector<Stage<Integer>> stages_of(const vector<LinkMotion>& links, const Interval& tau) {
+    vector<Stage<Integer>> stages;
+    const Matrix one = identity();
+    Affine<Integer> x = {one[0], one[1], one[2], Enclosure{}}, rate{};
+    for (size_t i = links.size(); i-- > 0;) {
+        const LinkMotion& link = links[i];
+        const Enclosure a = link.a0 + reduced(tau * link.v);
+        const Matrix s = link.rotation(tau), inverse = transposed(link.r);
+        const Matrix after = link.back ? inverse * transposed(s) : s;
+        const Interval omega = link.back ? -link.omega : link.omega;
+        Stage<Integer> stage{{}, {}, omega.most()};
+        for (size_t k = 0; k < 4; ++k) {
+            Enclosure &y = stage.place[k] = x[k], &y_rate = stage.rate[k] = rate[k];
+            if (!link.back && link.rotated) y = link.r * y, y_rate = link.r * y_rate;
+            if (k == 3) y = link.back ? y - a : y + link.b;
+            if (k == 3 && link.back) y_rate = y_rate - link.v;
+            x[k] = y, rate[k] = link.turns ? y_rate + reduced(omega * reduced(cross(link.axis, y))) : y_rate;
+            if (link.turns || (link.back && link.rotated)) x[k] = after * x[k], rate[k] = after * rate[k];
+            if (k == 3) x[k] = link.back ? x[k] - inverse * link.b : x[k] + a;
+            if (k == 3 && !link.back) rate[k] = rate[k] + link.v;
+        }
+        if (link.turns) stages.push_back(std::move(stage));
+    }
+    stages.push_back({x, rate, 0});
+    return stages;
+}
+
 // ---- The certificate ---------------------------------------------------------------------------------------------
+
+struct Motion {  // of a piece up to the time `end`: of a screw or sweep the cubics, of a chain the links
+    double end;
+    vector<Cubic<Integer>> cubics{};
+    vector<LinkMotion> links{};
+};
+
+template <class N>
+struct Plane {
+    Triple<N> n{};
+    N s = 0, d = 0;  // d + s D of the page
+};
 
 struct Checker {
     Reader& in;
     Body moving{"moving"}, fixed{"fixed"};
-    string solid{}, verdict{};
+    string solid{}, kind{}, verdict{};
     std::array<double, 2> radii{};
     double margin = 0, lower = 0, upper = 0;
-    size_t contact_piece = 0, steps = 0;
-    vector<Pose> poses{};
+    size_t pieces = 0, contact_piece = 0, steps = 0;
+    Corner centre{};
+    vector<Link> links{};
+    vector<vector<double>> knots{};
+    Range lengths{};                         // all of the input
     int unit = 0;                            // of lengths, as a power of two
     Integer reach = 0;                       // D
-    std::array<Integer, COLUMNS> place{};    // of the moving body for the witness
+    Row<Interval> place{};                   // of the moving body for the outside lines and the witness
     bool filter = false;                     // this and the following: see prepare_filter
     double rounded_reach = 0, size_of_w = 0;
     Corner size{};
+    int chain_depth = 0;                     // this and the following: of the last cell of a chain
+    Integer chain_index = 0;
+    Integer chain_h = 0;
+    vector<Stage<Integer>> stages{};
+    vector<Stage<double>> rounded_stages{};
 
     string check(const Mesh& moving_mesh, const Mesh& fixed_mesh) {
         moving.read(moving_mesh);
         fixed.read(fixed_mesh);
         read_head();
+        place = place_at(0, 0);
         const bool start = verdict == "start";
         for (Body* body : {&moving, &fixed})
             if (!start) read_order(*body);
         Word word = in.any_word();
         if (!start) word = check_outside(word);
-        const size_t proofs = start ? 0 : verdict == "clear" ? poses.size() - 1 : contact_piece + 1;
+        const size_t proofs = start ? 0 : verdict == "clear" ? pieces : contact_piece + 1;
         for (size_t piece = 0; piece < proofs; ++piece, word = in.any_word()) {
             in.expect("proof", word);
-            if (in.number(poses.size()) != piece) fail("the proof of piece " + to_string(piece) + " is missing");
+            if (in.number(pieces) != piece) fail("the proof of piece " + to_string(piece) + " is missing");
             in.end_of_line();
             check_proof(piece, verdict == "contact" && piece == contact_piece ? lower : 1);
             in.end_of_line();
@@ -481,6 +786,8 @@ struct Checker {
         return claims();
     }
 
+    // ---- Head ----------------------------------------------------------------------------------------------------
+
     template <class Use>
     void line(Word keyword, const Use& read) {
         in.expect(keyword, in.any_word());
@@ -494,6 +801,7 @@ struct Checker {
             line(body->name, [&] {
                 if (in.word() != body->hash) fail("the hash is that of another " + body->name + " body");
                 if (in.number(MOST_FACES) != body->faces()) fail("wrong number of faces");
+                for (const Corner& c : body->points) lengths.add(c);
             });
         line("solid", [&] {
             solid = in.word();
@@ -506,30 +814,68 @@ struct Checker {
         line("radius", [&] { radii[0] = in.not_negative(), radii[1] = in.not_negative(); });
         line("margin", [&] { margin = in.not_negative(); });
         line("motion", [&] {
-            in.expect("screw", in.word());
-            poses.resize(in.number(MOST_PIECES + 1) + 1);
-            if (poses.size() == 1) fail("a motion without a piece");
+            kind = in.word();
+            if (kind != "screw" && kind != "sweep" && kind != "chain") fail("unknown motion " + quote(kind));
+            pieces = in.number(MOST_PIECES + 1, 1);
+            if (kind == "chain") links.resize(in.number(MOST_LINKS + 1, 1));
         });
-        unit = lowest_exponent(std::array{radii[0], radii[1], margin}, 0);
-        for (Pose& pose : poses) {
-            line("pose", [&] {
-                for (double& x : pose.position) x = in.real();
-                for (double& x : pose.q) x = in.real();
-                if (pose.q == std::array<double, 4>{}) fail("a quaternion of length 0");
-            });
-            unit = lowest_exponent(pose.position, unit);
-            if (&pose != &poses[0]) turn((&pose - 1)->quaternion(), pose.quaternion());  // refuses half a turn
-        }
-        for (const Corner& c : moving.points) unit = lowest_exponent(c, unit);
-        for (const Corner& c : fixed.points) unit = lowest_exponent(c, unit);
+        if (kind == "sweep")
+            line("centre", [&] { for (double& x : centre) x = in.real(); });
+        for (Link& link : links) line("link", [&] { read_link(link); });
+        while (knots.size() <= pieces) line(links.empty() ? "pose" : "knot", [&] { read_knot(); });
+        for (const auto& numbers : {Corner{radii[0], radii[1], margin}, centre}) lengths.add(numbers);
+        unit = links.empty() ? lengths.lowest : std::min(lengths.lowest, lengths.highest - BITS);
         reach = in_units(radii[0], unit) + in_units(radii[1], unit) + in_units(margin, unit);
         line("verdict", [&] {
             verdict = in.word();
             if (verdict == "clear" || verdict == "start") return;
             if (verdict != "contact") fail("unknown verdict " + quote(verdict));
-            contact_piece = in.number(poses.size() - 1), lower = in.not_negative(), upper = in.not_negative();
+            contact_piece = in.number(pieces), lower = in.not_negative(), upper = in.not_negative();
             if (!(lower <= upper && upper <= 1)) fail("LOWER and UPPER are not in order in [0, 1]");
         });
+    }
+
+    void read_pose(vector<double>& numbers) {
+        for (size_t i = 0; i < 7; ++i) numbers.push_back(in.real());
+        const double* x = &numbers.back() - 6;
+        if (x[3] == 0 && Corner{x[4], x[5], x[6]} == Corner{}) fail("a quaternion of length 0");
+        lengths.add(Corner{x[0], x[1], x[2]});
+    }
+
+    void read_link(Link& link) {
+        link.kind = in.word();
+        link.back = link.kind == "back";
+        if (link.back) link.kind = in.word();
+        static const std::map<string, size_t> SIZES = {
+            {"pose", 0}, {"slide", 1}, {"turn", 1}, {"velocity", 7}, {"twist", 7}};
+        if (!SIZES.contains(link.kind)) fail("unknown link " + quote(link.kind));
+        link.size = SIZES.at(link.kind);
+        if (&link != &links[0]) link.first = (&link - 1)->first + (&link - 1)->size;
+        if (link.kind == "pose") return read_pose(link.fixed);
+        while (link.kind != "twist" && link.fixed.size() < 3) link.fixed.push_back(in.real());
+        if (link.kind == "velocity") lengths.add(link.fixed);
+        if (link.kind == "turn" && link.fixed == vector<double>(3)) fail("a direction that is 0");
+    }
+
+    void read_knot() {
+        vector<double> knot;
+        if (links.empty()) read_pose(knot);
+        if (links.empty() && in.more()) read_pose(knot);
+        for (const Link& link : links) {
+            if (link.between_poses()) read_pose(knot);
+            if (link.size == 1) knot.push_back(in.real());
+            if (link.kind == "slide") lengths.add(std::array{knot.back()});
+        }
+        knots.push_back(knot);
+        if (knots.size() == 1) return;
+        const vector<double>& last = knots[knots.size() - 2];
+        if (knot.size() != last.size()) fail("poses of seven and of fourteen numbers");
+        const auto check_turn = [&](size_t first, bool fourteen) {  // the unit of length does not matter
+            turn(Pose(&last[first], fourteen, -1100).q, Pose(&knot[first], fourteen, -1100).q);
+        };
+        if (links.empty()) check_turn(0, knot.size() == 14);
+        for (const Link& link : links)
+            if (link.between_poses()) check_turn(link.first, false);
     }
 
     void read_order(Body& body) {
@@ -538,7 +884,7 @@ struct Checker {
             in.expect(body.name, in.word());
             vector<bool> used(body.faces(), false);
             for (size_t i = 0; i < body.faces(); ++i) {
-                body.order.push_back(in.number(body.faces()));
+                body.order.push_back(uint32_t(in.number(body.faces())));
                 if (used[body.order[i]]) fail("face " + to_string(body.order[i]) + " is twice in the order");
                 used[body.order[i]] = true;
             }
@@ -552,21 +898,52 @@ struct Checker {
     }
     const Body& other(const Body& body) const { return &body == &moving ? fixed : moving; }
 
+    Motion motion_of(size_t piece, double end) const {
+        Motion motion{end};
+        const vector<double>&from = knots[piece], &to = knots[piece + 1];
+        for (const Link& link : links)
+            motion.links.emplace_back(link, from.data() + link.first, to.data() + link.first, unit);
+        if (!links.empty()) return motion;
+        const bool fourteen = from.size() == 14;
+        const Vector c = in_units(centre, unit);
+        motion.cubics = cubics_of(Pose(&from[0], fourteen, unit), Pose(&to[0], fourteen, unit),
+                                  kind == "sweep" ? &c : nullptr, end);
+        return motion;
+    }
+
+    Row<Interval> place_at(size_t piece, double tau) const {  // the numbers that make W p and W
+        const Motion motion = motion_of(piece, tau);
+        Row<Interval> row;
+        if (links.empty()) {  // twice the middle of two bounds
+            const Cubic<Integer> &a = motion.cubics.front(), &b = motion.cubics.back();
+            for (size_t k = 0; k < COLUMNS; ++k) {
+                const Integer x = a[0][k] + a[1][k] + a[2][k] + a[3][k], y = b[0][k] + b[1][k] + b[2][k] + b[3][k];
+                row[k] = {x + y, abs(x - y)};
+            }
+        } else {
+            const Affine<Integer> x = stages_of(motion.links, fixed_point(tau)).back().place;
+            for (size_t i = 0; i < 12; ++i) row[i] = i % 4 == 3 ? ONE * x[3][i / 4] : x[i % 4][i / 4];
+            row[W] = ONE;
+        }
+        return row;
+    }
+
     // ---- Inside and outside --------------------------------------------------------------------------------------
 
     // Reads F C X Y Z and counts how often the other body, a solid, winds around this corner at the start.
     long read_winding(const Body& body, uint32_t& point) {
         if (!other(body).solid) fail("the other body is not solid");
-        const size_t face = in.number(body.faces());
-        point = body.corners[body.first[face] + in.number(body.size(face))];
+        const size_t face = in.number(body.faces()), k = in.number(body.size(face));
+        point = body.corners[body.first[face] + k];
         Vector direction;
         for (Integer& x : direction) x = in.integer(in.word());
         if (is_zero(direction)) fail("a direction that is 0");
-        const Quaternion q0 = poses[0].quaternion(), back = {-q0.w, q0.v};
-        const Vector c = in_units(body.points[point], unit), t0 = in_units(poses[0].position, unit);
-        // in the frame of the other body, times the norm
-        const Vector origin = &body == &moving ? q0.norm() * t0 + q0.rotate(c) : back.rotate(c - t0);
-        return winding(other(body), origin, q0.norm(), direction);
+        const Enclosure p = placed(body, face, k);
+        if (&body == &moving) return winding(fixed, p, place[W], direction);
+        // the rotation is M / W, and its inverse is the transpose of M, divided by W
+        const auto column = [&](size_t i) { return Enclosure{place[i], place[4 + i], place[8 + i]}; };
+        const Enclosure c = p - column(3), origin = {dot(column(0), c), dot(column(1), c), dot(column(2), c)};
+        return winding(moving, origin, place[W] * place[W], direction);
     }
 
     // Along the ray from origin / norm. The line of the ray goes through the inside of a triangle if the products
@@ -574,38 +951,39 @@ struct Checker {
     // them have different signs.
     //
     // The filter decides the latter: let `most` be at least the absolute value of each coordinate. The coordinates of
-    // the origin err by 2^-50 most (two truncations, a division), those of p - origin by 2^-49 most, and are at most
-    // 2 most. So those of the cross product, at most 8 most^2, err by less than 2^-45 most^2, and s by less than
-    // 2^-44 most^2 (|x| + |y| + |z|), rounding of the direction and of the sum included. `error` is twice as much.
-    long winding(const Body& body, const Vector& origin, const Integer& norm, const Vector& direction) const {
+    // the origin err by 2^-50 most (two truncations, a division, the radii), those of p - origin by 2^-49 most, and
+    // are at most 2 most. So those of the cross product, at most 8 most^2, err by less than 2^-45 most^2, and s by
+    // less than 2^-44 most^2 (|x| + |y| + |z|), rounding of the direction and of the sum included. `error` is twice as
+    // much.
+    long winding(const Body& body, const Enclosure& origin, const Interval& norm, const Vector& direction) const {
         Corner o, d;
-        double most = 0;
-        bool usable = body.is_moderate;
+        double most = 0, radius = 0;
+        bool usable = body.is_moderate && norm.radius << 60 <= norm.middle;
+        const long scale = long(msb(norm.middle));
+        const double rounded_norm = truncated(norm.middle, -scale);
         for (size_t i = 0; i < 3; ++i) {
-            const long scale = msb(norm);
-            o[i] = truncated(origin[i], unit - scale) / truncated(norm, -scale), d[i] = truncated(direction[i], 0);
+            o[i] = truncated(origin[i].middle, unit - scale) / rounded_norm, d[i] = truncated(direction[i], 0);
+            radius = std::max(radius, truncated(origin[i].radius, unit - scale));
             most = std::max({most, body.largest[i], std::abs(o[i]) * (1 + 0x1p-49)});
             usable = usable && moderate(o[i], 200) && moderate(d[i], 100);
         }
+        usable = usable && radius <= 0x1p-60 * most;
         const double error = 0x1p-43 * most * most * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
-        const auto product = [&](const Corner& p, const Corner& q) {
-            const double x = p[0] - o[0], y = p[1] - o[1], z = p[2] - o[2];
-            const double r = q[0] - o[0], s = q[1] - o[1], t = q[2] - o[2];
-            return d[0] * (y * t - z * s) + d[1] * (z * r - x * t) + d[2] * (x * s - y * r);
-        };
         long count = 0;
         for (size_t f = 0; f < body.faces(); ++f)
             for (size_t k = 1; k + 1 < body.size(f); ++k) {
-                const Corner &a = body.corner(f, 0), &b = body.corner(f, k), &c = body.corner(f, k + 1);
-                const auto [low, high] = std::minmax({product(a, b), product(b, c), product(c, a)});
+                const Triple<Corner> t = {body.corner(f, 0), body.corner(f, k), body.corner(f, k + 1)};
+                const Triple<Corner> p = {t[0] - o, t[1] - o, t[2] - o};
+                const auto [low, high] =
+                    std::minmax({dot(d, cross(p[0], p[1])), dot(d, cross(p[1], p[2])), dot(d, cross(p[2], p[0]))});
                 if (usable && low < -error && high > error) continue;
-                const auto from_origin = [&](const Corner& x) { return norm * in_units(x, unit) - origin; };
-                count += crossing({from_origin(a), from_origin(b), from_origin(c)}, direction, f);
+                const auto seen = [&](const Corner& x) { return norm * balls(in_units(x, unit)) - origin; };
+                count += crossing({seen(t[0]), seen(t[1]), seen(t[2])}, balls(direction), f);
             }
         return count;
     }
 
-    static int crossing(const std::array<Vector, 3>& p, const Vector& direction, size_t face) {
+    static int crossing(const Triple<Enclosure>& p, const Enclosure& direction, size_t face) {
         int positive = 0, negative = 0;
         for (size_t i = 0; i < 3; ++i) {
             const int sign = dot(direction, cross(p[i], p[(i + 1) % 3])).sign();
@@ -614,7 +992,7 @@ struct Checker {
         if (positive > 0 && negative > 0) return 0;
         const string where = " face " + to_string(face) + " of the other body and proves nothing";
         if (positive + negative == 0) fail("the ray is in the plane of" + where);
-        // The line meets the triangle at the distance height / slope; the slope has the sign of the products.
+        // If the line meets the triangle, it is at the distance height / slope; the slope has the sign of the products.
         const int height = dot(cross(p[1] - p[0], p[2] - p[0]), p[0]).sign();
         if (height == 0) fail("the corner is on" + where);
         if ((height > 0) != (positive > 0)) return 0;  // behind the corner
@@ -641,16 +1019,17 @@ struct Checker {
 
     void check_proof(size_t piece, double end) {
         struct Task { Node moving, fixed; size_t cell; };
-        const Cubic<Integer> motion = motion_of(poses[piece], poses[piece + 1], end, unit);
+        const Motion motion = motion_of(piece, end);
         vector<Cell> cells(1);  // of the tasks: the cell of a task is never behind that of a later one
-        prepare_filter(cells[0], bernstein(motion, 0, 0));
+        prepare_filter(cells[0], motion);
+        chain_depth = -1;
         vector<Task> tasks = {{{0, uint32_t(moving.faces()), 0}, {0, uint32_t(fixed.faces()), 0}, 0}};
         for (size_t step = 1; !tasks.empty(); ++step, ++steps) {
             const auto [a, b, number] = tasks.back();
             tasks.pop_back();
-            cells.erase(cells.begin() + number + 1, cells.end());
+            cells.erase(cells.begin() + long(number) + 1, cells.end());
             Cell& cell = cells[number];
-            const auto refuse = [&](const string& what) {
+            const auto refuse = [&, step = step](const string& what) {
                 fail("step " + to_string(step) + " of piece " + to_string(piece) + ": " + what);
             };
             const Word word = in.any_word();
@@ -678,90 +1057,151 @@ struct Checker {
         }
     }
 
-    // The filter is used if all numbers of the piece are 0 or in [2^-300, 2^300], and those of the bodies and the reach
-    // 0 or in [2^-200, 2^200]. Numbers of 53 bits are multiples of 2^-352 and 2^-252 then, those of cells of at most 64
-    // halvings of 2^-544, and products of both of 2^-796: so nothing underflows. Nothing overflows either.
-    void prepare_filter(Cell& cell, const Cubic<Integer>& exact) {
+    // The filter is used if all numbers of the bodies and the reach are 0 or in [2^-200, 2^200], and those of cubics 0
+    // or in [2^-300, 2^300]. Numbers of 53 bits are multiples of 2^-252 and 2^-352 then, those of cells of at most 64
+    // halvings of 2^-544, and products of both of 2^-796: so nothing underflows. Nothing overflows either. Of the two
+    // cubics of a sweep the first one stands for both, if their difference is as nothing.
+    void prepare_filter(Cell& cell, const Motion& motion) {
         rounded_reach = truncated(reach, unit);
         filter = moving.is_moderate && fixed.is_moderate && moderate(rounded_reach, 200);
-        std::array<double, COLUMNS> most{};  // of the piece
-        for (size_t j = 0; j < 4; ++j)
-            for (size_t k = 0; k < COLUMNS; ++k) {  // [3], [7] and [11] are lengths
-                const double x = truncated(exact[j][k], (k % 4 == 3 ? unit : 0) - long(msb(exact[0][W])));
+        if (!links.empty()) return;
+        Row<double> most{};  // of the piece
+        const Cubic<Integer> a = bernstein(motion.cubics.front(), 0, 0), b = bernstein(motion.cubics.back(), 0, 0);
+        for (size_t k = 0; k < COLUMNS; ++k) {
+            Integer difference = 0, largest = 0;
+            for (size_t j = 0; j < 4; ++j) {  // [3], [7] and [11] are lengths
+                const double x = truncated(a[j][k], (k % 4 == 3 ? unit : 0) - long(msb(a[0][W])));
                 filter = filter && moderate(x, 300);
-                cell.rounded[j][k] = x, most[k] = std::max(most[k], std::abs(x));
+                cell.rounded[j][k] = x, most[k] = std::max(most[k], abs(x));
+                difference = std::max(difference, abs(a[j][k] - b[j][k])), largest = std::max(largest, abs(a[j][k]));
             }
+            filter = filter && difference << 60 <= largest;
+        }
         for (size_t i = 0; i < 3; ++i)
-            size[i] = most[4 * i] * moving.largest[0] + most[4 * i + 1] * moving.largest[1] +
-                      most[4 * i + 2] * moving.largest[2] + most[4 * i + 3] + fixed.largest[i] * most[W];
+            size[i] = dot({most[4 * i], most[4 * i + 1], most[4 * i + 2]}, moving.largest) + most[4 * i + 3] +
+                      fixed.largest[i] * most[W];
         size_of_w = most[W];
     }
 
+    template <class N>
+    Triple<N> corner(const Body& body, uint32_t point) const {
+        if constexpr (std::is_same_v<N, double>) return body.points[point];
+        else return in_units(body.points[point], unit);
+    }
+
+    template <class N>
+    void find_d(Plane<N>& plane, const vector<uint32_t>& fixed_points, const N& distance) const {
+        plane.d = dot(plane.n, corner<N>(fixed, fixed_points[0]));
+        for (uint32_t p : fixed_points) plane.d = std::max(plane.d, dot(plane.n, corner<N>(fixed, p)));
+        plane.d += plane.s * distance;
+    }
+
     bool separates(const Vector& n, const vector<uint32_t>& moving_points, const vector<uint32_t>& fixed_points,
-                   Cell& cell, const Cubic<Integer>& motion) const {
-        if (separates_clearly(n, moving_points, fixed_points, cell)) return true;
-        if (!cell.exact) cell.exact = std::make_unique<Cubic<Integer>>(bernstein(motion, cell.index, cell.depth));
+                   Cell& cell, const Motion& motion) {
+        if (!links.empty() && (chain_depth != cell.depth || chain_index != cell.index)) prepare_chain(cell, motion);
+        if (filter && separates_clearly(n, moving_points, fixed_points, cell)) return true;
         const Integer square = dot(n, n);
-        Integer s = sqrt(square), d = dot(n, in_units(fixed.points[fixed_points[0]], unit));
-        if (s * s < square) ++s;
-        for (uint32_t p : fixed_points) d = std::max(d, dot(n, in_units(fixed.points[p], unit)));
-        d += s * reach;
-        for (const auto& b : *cell.exact) {
-            Vector row;
-            for (size_t k = 0; k < 3; ++k) row[k] = n[0] * b[k] + n[1] * b[4 + k] + n[2] * b[8 + k];
-            const Integer constant = n[0] * b[3] + n[1] * b[7] + n[2] * b[11] - d * b[W];
-            for (uint32_t p : moving_points)
-                if (dot(row, in_units(moving.points[p], unit)) + constant <= 0) return false;
-        }
-        return true;
+        Plane<Integer> plane{n, sqrt(square)};
+        if (plane.s * plane.s < square) ++plane.s;
+        find_d(plane, fixed_points, reach);
+        if (!links.empty()) return chain_separates(stages, chain_h, plane, moving_points);
+        if (cell.exact.empty())
+            for (const auto& cubic : motion.cubics) cell.exact.push_back(bernstein(cubic, cell.index, cell.depth));
+        return std::all_of(cell.exact.begin(), cell.exact.end(), [&](const Cubic<Integer>& cubic) {
+            return cubic_separates(cubic, plane, moving_points, Integer(0));
+        });
     }
 
     // Whether all Bernstein coefficients are above 0 by more than all errors of rounding. With u = 2^-53 and S the sum
     // of the absolute values of all terms, which is at most the `sum` below, the errors are at most
-    //   (3 depth + 2) u S  of the coefficients on the cell (see Cell),
+    //   (3 depth + 3) u S  of the coefficients on the cell (see Cell and prepare_filter),
     //   3 u S              of the products with n, three products and two sums; likewise of n . c,
     //   4 u S              of the reach (truncated: 2 u), its product with s and the sum with d,
     //   6 u S              of the products with a corner or W and of the sums,
-    // together less than (3 depth + 16) u S, effects of the second order included. `sum` itself errs by less than
+    // together less than (3 depth + 17) u S, effects of the second order included. `sum` itself errs by less than
     // 20 u. (depth + 8) 2^-51 sum = (4 depth + 32) u sum is more. Fused operations would only make errors smaller.
+    // For a chain, d + s D is made larger than it is: it errs by less than 8 u of the sum of its terms.
     bool separates_clearly(const Vector& normal, const vector<uint32_t>& moving_points,
                            const vector<uint32_t>& fixed_points, const Cell& cell) const {
-        if (!filter || cell.depth > 64) return false;
-        Corner n;
+        Plane<double> plane;
+        Corner& n = plane.n;
         for (size_t i = 0; i < 3; ++i) {
             if (abs(normal[i]) > (std::int64_t(1) << 50)) return false;
             n[i] = double(std::int64_t(normal[i]));  // exact
         }
         // n . n is exact below 2^53, and so is s then: the test corrects the root. Else n . n errs by 5 u, and the root
         // by less than 8 u, which 1 + 2^-49 makes up for.
-        const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-        double s = std::ceil(std::sqrt(square)), d = -std::numeric_limits<double>::infinity();
+        const double square = dot(n, n);
+        double& s = plane.s = std::ceil(std::sqrt(square));
         if (square >= 0x1p53 || s * s < square) s = (s + 1) * (1 + 0x1p-49);
-        for (uint32_t p : fixed_points) {
-            const Corner& c = fixed.points[p];
-            d = std::max(d, n[0] * c[0] + n[1] * c[1] + n[2] * c[2]);
+        find_d(plane, fixed_points, rounded_reach);
+        const Corner weights = {abs(n[0]), abs(n[1]), abs(n[2])};
+        if (!links.empty()) {
+            plane.d += up((dot(weights, fixed.largest) + s * rounded_reach) * 0x1p-50);
+            return chain_separates(rounded_stages, up(truncated(chain_h, -BITS)), plane, moving_points);
         }
-        d += s * rounded_reach;
-        const double sum = std::abs(n[0]) * size[0] + std::abs(n[1]) * size[1] + std::abs(n[2]) * size[2] +
-                           s * rounded_reach * size_of_w;
+        const double sum = dot(weights, size) + s * rounded_reach * size_of_w;
         const double error = (cell.depth + 8) * 0x1p-51 * sum;
-        for (const auto& b : cell.rounded) {
-            Corner row;
+        return cell.depth <= 64 && cubic_separates(cell.rounded, plane, moving_points, error);
+    }
+
+    template <class N>
+    bool cubic_separates(const Cubic<N>& cubic, const Plane<N>& plane, const vector<uint32_t>& moving_points,
+                         const N& error) const {
+        const Triple<N>& n = plane.n;
+        for (const auto& b : cubic) {
+            Triple<N> row;
             for (size_t k = 0; k < 3; ++k) row[k] = n[0] * b[k] + n[1] * b[4 + k] + n[2] * b[8 + k];
-            const double constant = n[0] * b[3] + n[1] * b[7] + n[2] * b[11] - d * b[W];
-            for (uint32_t p : moving_points) {
-                const Corner& c = moving.points[p];
-                if (!(row[0] * c[0] + row[1] * c[1] + row[2] * c[2] + constant > error)) return false;
+            const N constant = n[0] * b[3] + n[1] * b[7] + n[2] * b[11] - plane.d * b[W];
+            for (uint32_t p : moving_points)
+                if (!(dot(row, corner<N>(moving, p)) + constant > error)) return false;
+        }
+        return true;
+    }
+
+    template <class N>
+    bool chain_separates(const vector<Stage<N>>& all, const N& h, const Plane<N>& plane,
+                         const vector<uint32_t>& moving_points) const {
+        const Triple<Ball<N>> n = balls(plane.n);
+        for (uint32_t p : moving_points) {
+            const Triple<N> b = corner<N>(moving, p);
+            N g = 0;
+            for (const Stage<N>& stage : all) {
+                const Triple<Ball<N>> y = image(stage.place, b), rate = image(stage.rate, b);
+                if (&stage == &all.back()) {  // n . x - h |n . x'| - s g h^2 / 2 > d + s D, times two
+                    const Ball<N> x = dot(n, y) - plane.d,
+                        rest = {0, 2 * up(h * dot(n, rate).most()) + plane.s * up(h * up(h * g))};
+                    if ((x + x + rest).sign() <= 0) return false;
+                } else {
+                    const N f = length(rate) + up(h * g), r = length(y) + up(h * f);
+                    g += up(stage.omega * (2 * f + up(stage.omega * r)));
+                    if (absurd(g)) return false;
+                }
             }
         }
         return true;
     }
 
+    void prepare_chain(const Cell& cell, const Motion& motion) {
+        chain_depth = cell.depth, chain_index = cell.index;
+        const auto [mantissa, exponent] = dyadic(motion.end);
+        const int power = exponent - cell.depth - 1;
+        chain_h = fixed_point(mantissa, power).most();
+        stages = stages_of(motion.links, fixed_point(mantissa * (2 * cell.index + 1), power));
+        rounded_stages.assign(stages.size(), {});
+        for (size_t s = 0; s < stages.size(); ++s) {
+            rounded_stages[s].omega = up(truncated(stages[s].omega, -BITS));
+            for (size_t k = 0; k < 4; ++k) {  // the last one is a length
+                rounded_stages[s].place[k] = rounded(stages[s].place[k], k == 3 ? unit : -BITS);
+                rounded_stages[s].rate[k] = rounded(stages[s].rate[k], k == 3 ? unit : -BITS);
+            }
+        }
+    }
+
     // ---- Witness -------------------------------------------------------------------------------------------------
 
-    // At the place of the witness, times W of that place.
-    Vector point(const Body& body, size_t face, size_t k) const {
-        const Vector c = in_units(body.corner(face, k), unit);
+    Enclosure placed(const Body& body, size_t face, size_t k) const {  // a corner at the place, times W
+        const Enclosure c = balls(in_units(body.corner(face, k), unit));
         if (&body == &fixed) return place[W] * c;
         const auto row = [&](size_t i) { return dot({place[i], place[i + 1], place[i + 2]}, c) + place[i + 3]; };
         return {row(0), row(4), row(8)};
@@ -781,76 +1221,80 @@ struct Checker {
         return face;
     }
 
-    std::pair<Vector, Integer> read_weighted_point(const Body& body) {  // the weighted sum, and the sum of the weights
+    std::pair<Enclosure, Integer> read_weighted_point(const Body& body) {  // the weighted sum, the sum of the weights
         const size_t face = read_convex_face(body), count = body.size(face);
         const size_t i = in.number(count), j = in.number(count), k = in.number(count);
         if (i != 0 || j == 0 || k != j + 1) fail("the corners are not 0, k, k + 1");
-        std::pair<Vector, Integer> p;
+        std::pair<Enclosure, Integer> p;
         for (size_t x : {i, j, k}) {
             const Integer weight = in.integer(in.word());
             if (weight < 0) fail("a negative weight");
-            p = {p.first + weight * point(body, face, x), p.second + weight};
+            p = {p.first + weight * placed(body, face, x), p.second + weight};
         }
         if (p.second == 0) fail("all weights are 0");
         return p;
     }
 
     void check_witness() {
-        const string kind(in.word());
-        if (kind != "cross" && kind != "near" && (kind != "inside" || verdict != "start"))
-            fail("the witness " + quote(kind) + " is unknown or only for the start");
-        if (kind == "inside") {
+        const string type(in.word());
+        if (type != "cross" && type != "near" && (type != "inside" || verdict != "start"))
+            fail("the witness " + quote(type) + " is unknown or only for the start");
+        if (type == "inside") {
             uint32_t corner;
             if (read_winding(read_side(), corner) <= 0) fail("the corner is not inside of the other body");
             return;
         }
         const double tau = in.not_negative();
         if (verdict == "start" ? tau != 0 : tau < lower || tau > upper) fail("TAU is not where the verdict says");
-        const Cubic<Integer> c = motion_of(poses[contact_piece], poses[contact_piece + 1], tau, unit);
-        for (size_t k = 0; k < COLUMNS; ++k) place[k] = c[0][k] + c[1][k] + c[2][k] + c[3][k];
-        if (kind == "near") {
+        place = place_at(contact_piece, tau);
+        if (type == "near") {
             const auto [p, p_sum] = read_weighted_point(moving);
             const auto [q, q_sum] = read_weighted_point(fixed);
-            const Vector difference = q_sum * p - p_sum * q;
-            const Integer most = reach * place[W] * p_sum * q_sum;
-            if (dot(difference, difference) > most * most) fail("the points are not near each other");
+            const Enclosure difference = q_sum * p - p_sum * q;
+            const Interval most = reach * p_sum * q_sum * place[W];
+            if (!(most * most - dot(difference, difference)).not_negative()) fail("the points are not near each other");
         } else {
             const Body &body = read_side(), &target = other(body);
             const size_t face = in.number(body.faces()), corner = in.number(body.size(face));
-            const size_t triangle = read_convex_face(target), k = in.number(target.size(triangle) - 1);
-            if (k == 0) fail("the corners are not 0, k, k + 1");
-            check_cross(point(body, face, corner), point(body, face, (corner + 1) % body.size(face)),
-                        {point(target, triangle, 0), point(target, triangle, k), point(target, triangle, k + 1)});
+            const size_t triangle = read_convex_face(target), k = in.number(target.size(triangle) - 1, 1);
+            check_cross(placed(body, face, corner), placed(body, face, (corner + 1) % body.size(face)),
+                        {placed(target, triangle, 0), placed(target, triangle, k), placed(target, triangle, k + 1)});
         }
     }
 
-    static void check_cross(const Vector& p, const Vector& q, const std::array<Vector, 3>& t) {
-        const Vector normal = cross(t[1] - t[0], t[2] - t[0]);
-        if (is_zero(normal)) fail("the triangle has no area");
-        const Integer a = dot(normal, p - t[0]), b = dot(normal, q - t[0]), weight = abs(a) + abs(b);
-        if (weight == 0) fail("the edge is in the plane of the triangle");
-        if (a.sign() * b.sign() > 0) fail("the edge is on one side of the triangle");
-        const Vector meeting = abs(b) * p + abs(a) * q;  // times weight
+    static void check_cross(const Enclosure& p, const Enclosure& q, const Triple<Enclosure>& t) {
+        const Enclosure normal = cross(t[1] - t[0], t[2] - t[0]);
+        if (normal[0].sign() == 0 && normal[1].sign() == 0 && normal[2].sign() == 0) fail("the triangle has no area");
+        Interval a = dot(normal, p - t[0]), b = dot(normal, q - t[0]);
+        if (a.sign() == 0 && b.sign() == 0) fail("the edge is in the plane of the triangle");
+        if (a.middle < 0 || b.middle > 0) a = -a, b = -b;
+        if (!a.not_negative() || !(-b).not_negative()) fail("the edge is on one side of the triangle");
+        const Enclosure meeting = a * q - b * p;  // times a - b
         for (size_t i = 0; i < 3; ++i)
-            if (dot(normal, cross(t[(i + 1) % 3] - t[i], meeting - weight * t[i])) < 0)
+            if (!dot(normal, cross(t[(i + 1) % 3] - t[i], meeting - (a - b) * t[i])).not_negative())
                 fail("the edge meets the plane outside of the triangle");
     }
 
-    template <class Numbers>
-    static string text(const Numbers& numbers) {
-        string line;
-        std::array<char, 32> digits;
-        for (double x : numbers) line += " " + string(&digits[0], std::to_chars(&digits[0], &digits[0] + 32, x).ptr);
-        return line;
-    }
-
     string claims() const {
-        string lines = "verified: " + verdict;
-        if (verdict == "contact") lines += " " + to_string(contact_piece) + text(std::array{lower, upper});
-        lines += "\nmargin" + text(std::array{margin}) + "\nradius" + text(radii) + "\nsolid " + solid;
-        for (const Pose* pose : {&poses.front(), &poses.back()})
-            lines += (pose == &poses[0] ? "\nfirst pose" : "\nlast pose") + text(pose->position) + text(pose->q);
-        return lines + "\npieces " + to_string(poses.size() - 1) + "\nsteps " + to_string(steps);
+        std::ostringstream out;
+        const auto text = [](double x) {  // the shortest that is read as x
+            std::array<char, 32> digits;
+            return " " + string(&digits[0], std::to_chars(&digits[0], &digits[0] + 32, x).ptr);
+        };
+        const auto print = [&](const string& name, const auto& numbers) {
+            out << "\n" << name;
+            for (double x : numbers) out << text(x);
+        };
+        out << "verified: " << verdict;
+        if (verdict == "contact") out << " " << contact_piece << text(lower) << text(upper);
+        print("margin", std::array{margin}), print("radius", radii);
+        out << "\nsolid " << solid << "\nmotion " << kind;
+        if (kind == "sweep") print("centre", centre);
+        for (const Link& link : links) print((link.back ? "link back " : "link ") + link.kind, link.fixed);
+        const string name = links.empty() ? " pose" : " knot";
+        print("first" + name, knots.front()), print("last" + name, knots.back());
+        out << "\npieces " << pieces << "\nsteps " << steps;
+        return out.str();
     }
 };
 

@@ -3,10 +3,14 @@
 #
 # MOVING and FIXED are mesh files (.obj or .stl). Exit status: 0 verified; 1 not verified, with the reason on standard
 # output; 2 wrong usage, or a file that cannot be read. After reading, only integers are computed with: lengths are
-# multiples of one unit, a power of two that divides all lengths of the meshes and of the certificate.
+# multiples of one unit, a power of two that divides all lengths of the meshes and of the certificate. What is no
+# fraction (in sweeps and chains) is rounded, with a bound of the error that goes through to all conditions.
 import fractions, functools, hashlib, io, math, re, struct, sys
 
 MAX_MESH, MAX_LINE, MAX_DEPTH = 1 << 28, 1 << 26, 4000   # bytes of a mesh and of a line; halvings of a cell
+BITS = 192           # enclosures are narrower than 2^-BITS of the largest number, times a small one
+LINKS = {"pose": (7, 0), "slide": (3, 1), "turn": (3, 1), "velocity": (3, 7), "twist": (0, 7)}   # numbers: link, knot
+ZERO, AXES = (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 NAMES = ("moving", "fixed")
 WHERE = {}           # what is being read: the file, the line, the step of a proof
 INTEGER = re.compile(r"-?[0-9]{1,1000}")
@@ -28,8 +32,87 @@ def need(condition, reason):
 def sub(a, b): return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 def dot(a, b): return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 def cross(a, b): return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-def scale(s, a): return tuple([s * x for x in a])
-def add(*vectors): return tuple(map(sum, zip(*vectors)))
+def add(a, b): return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+def scale(s, a): return s * a[0], s * a[1], s * a[2]
+def floor(a, divisor): return a[0] // divisor, a[1] // divisor, a[2] // divisor
+def total(a): return sum(map(abs, a))   # at least the length of a
+
+
+# --- quaternions (w, x, y, z), whose length does not matter ----------------------------------------------------------
+
+def norm(q): return sum([x * x for x in q])
+def conjugate(q): return q[0], -q[1], -q[2], -q[3]
+
+
+def product(p, q):
+    (a, *u), (b, *v) = p, q
+    return a * b - dot(u, v), *add(add(scale(a, v), scale(b, u)), cross(u, v))
+
+
+# The vector q b q^-1, times norm(q).
+def rotate(q, b):
+    w, u = q[0], q[1:]
+    return add(add(scale(w * w - dot(u, u), b), scale(2 * dot(u, b), u)), scale(2 * w, cross(u, b)))
+
+
+# The scalar part, which is not below 0, and the vector part of q1 q0^-1, both times norm(q0).
+def relative(q0, q1):
+    w, *v = product(q1, conjugate(q0))
+    return (w, tuple(v)) if w >= 0 else (-w, scale(-1, v))
+
+
+# --- enclosures ------------------------------------------------------------------------------------------------------
+
+# All numbers from low to high. A comparison is true if it is for all of them.
+class Interval:
+    def __init__(self, low, high): self.low, self.high = low, high
+    def __add__(self, other): return Interval(self.low + ends(other)[0], self.high + ends(other)[1])
+    def __sub__(self, other): return Interval(self.low - ends(other)[1], self.high - ends(other)[0])
+    def __ge__(self, other): return self.low >= ends(other)[1]
+    def __le__(self, other): return self.high <= ends(other)[0]
+    def __mul__(self, other): return hull([x * y for x in ends(self) for y in ends(other)])
+    __rmul__ = __mul__
+
+
+def hull(numbers): return Interval(min(numbers), max(numbers))
+def ends(x): return (x.low, x.high) if isinstance(x, Interval) else (x, x)
+
+
+# The cosine and the sine of angle / 2^bits, times 2^bits, each less than 2 too small or too great: by the series for
+# the angle / 2^j, which is below 1/256, whose result z is squared j times. In units of 2^-q: the n terms have errors
+# below 2, and the rest of the series is below 1. An error e of z, which is on the unit circle, becomes less than
+# e (2 + e / 2^q) + 2 < 2 e + 3. In the end it is less than 2^j (2 n + 4), so below 1 in units of 2^-bits.
+def cos_sin(angle, bits):
+    j = max(0, angle.bit_length() - bits + 8)
+    need(j < 72, "an angle is too large")
+    q, t, z, term = bits + j + 24, angle << 24, [0, 0], 1 << bits + j + 24
+    for k in range(q // 8 + 1):   # term is t^k / k!
+        z[k % 2] += term if k % 4 < 2 else -term
+        term = term * t // (k + 1 << q)
+    for _ in range(j): z = (z[0] * z[0] - z[1] * z[1]) >> q, 2 * z[0] * z[1] >> q
+    return z[0] >> j + 24, z[1] >> j + 24
+
+
+# The angle 2 atan2(vv^(1/2), w), where w > 0, times 2^bits, less than 2 too small or too great. The angle of the
+# complex number w + i s is halved when the absolute value N is added to w. In units of 2^-q: s is less than 1 too
+# small, an error e of w becomes less than 2 e + 2, in the end 2^9, and then w > 2^7 N and N >= 1, so the 256-fold angle
+# has an error below 2^4. t = s / w is below 2^-7. The series of the arc tangent alternates, so its rest is less than
+# the first term that is left out, so 1; each of the n terms has an error below 3, all of them below 2^8 (3 n + 2).
+def double_angle(w, vv, bits):
+    q = bits + 32
+    w, s = w << q, math.isqrt(vv << 2 * q)
+    for _ in range(8): w += math.isqrt(w * w + s * s)
+    power, result = (t := (s << q) // w), 0
+    for k in range(1, q // 7 + 2, 2):   # power is t^k
+        result += power // k if k % 4 == 1 else -(power // k)
+        power = power * t * t >> 2 * q
+    return result >> 23   # 2 times 2^8 / 2^32
+
+
+# The unit vector along v, times 2^bits; each number less than 2 too small or great. Of root, which is at least
+# 2^(bits + 2), less than 1 is missing; that makes less than 1/4.
+def direction(v, bits):
+    return floor(scale(1 << 2 * bits + 2, v), math.isqrt(norm(v) << 2 * bits + 4))   # the divisor is root
 
 
 # --- words -----------------------------------------------------------------------------------------------------------
@@ -44,14 +127,23 @@ def point(words, most):
 def real(word):
     need(match := REAL.fullmatch(word), f"{word!r:.50} is not a hexadecimal number")
     sign, whole, part, power = match.groups("")
-    value = int(sign + whole + part, 16) * fractions.Fraction(2) ** (int(power) - 4 * len(part))
-    need(abs(value) <= sys.float_info.max and value == float(value), f"{word!r:.50} is not a finite double")
+    number, power = int(sign + whole + part, 16), int(power) - 4 * len(part)
+    value = fractions.Fraction(number << max(0, power), 1 << max(0, -power))
+    need(abs(value.numerator) <= int(sys.float_info.max) * value.denominator
+         and float(value).as_integer_ratio() == value.as_integer_ratio(), f"{word!r:.50} is not a finite double")
     return value
 
 
 def integer(word, least=-math.inf, below=math.inf):
     need(INTEGER.fullmatch(word) and least <= int(word) < below, f"{word!r:.50} is not an integer that fits")
     return int(word)
+
+
+# The quaternion of a pose as integers.
+def quaternion(numbers):
+    q = integers(numbers[3:7], max(x.denominator for x in numbers[3:7]))
+    need(any(q), "the quaternion is 0")
+    return q
 
 
 # Doubles as multiples of 1 / unit, a power of two.
@@ -162,67 +254,269 @@ class Body:
         return [corners[0] for corners in part]
 
 
-# --- motion ----------------------------------------------------------------------------------------------------------
+# --- screws and sweeps -----------------------------------------------------------------------------------------------
 
-# With a = v / w and Q = t1 - t0, and as v x across = v x Q, the formulas of the page times w^2 are
-#     w^2 W   = w^2 + tau^2 v.v
-#     w^2 W p = w^2 (t0 + y) + tau (w^2 Q - w v x Q + 2 w v x y)
-#             + tau^2 (v.v (t0 + y + Q) - v (v.Q) + w v x Q + 2 v x (v x y)) + tau^3 v (v.Q).
-# They need no division and hold for v = 0, too. power[k] has the factors of tau^k, all times |q0|^2: three vectors for
-# the coordinates of the corner, a constant vector, and a number for W; 13 integers.
+# Of a motion: count is the number of pieces, numbers has its lengths, texts say what it is.
+class Rigid:
+    def __init__(self, reader, kind):
+        self.count, self.knots = integer(reader.take("motion " + kind, 1)[0], 1), []
+        self.centre = [real(word) for word in reader.take("centre", 3)] if kind == "sweep" else []
+        size = 14 if len(reader.peek()) == 15 else 7
+        while len(self.knots) <= self.count:
+            row = [real(word) for word in reader.take("pose", size)] + [0, 0, 0, 1, 0, 0, 0][:14 - size]
+            moving, fixed = quaternion(row), quaternion(row[7:])
+            self.knots.append((row, fixed, product(conjugate(fixed), moving)))
+            need(relative(self.knots[-2:][0][2], self.knots[-1][2])[0], "the piece is half a turn")
+        self.numbers = [x for row, *_ in self.knots for x in row[:3] + row[7:10]] + self.centre
+        self.texts = [f"motion: {kind} {'about ' * bool(self.centre)}{shown(self.centre)}".strip(),
+                      *(f"{name} pose: {shown(self.knots[i][0][:size])}" for name, i in (("first", 0), ("last", -1)))]
+
+    # Knot i as seen from the fixed body: the position, times a number, that number, and the quaternion.
+    def knot(self, i, unit):
+        row, fixed, q = self.knots[i]
+        return rotate(conjugate(fixed), sub(integers(row[:3], unit), integers(row[7:10], unit))), norm(fixed), q
+
+    def piece(self, i, unit, _): return Piece(self.knot(i, unit), self.knot(i + 1, unit), integers(self.centre, unit))
+
+
+# What a screw or twist (no centre), a sweep or a velocity is from one pose (t / d, q) to the next: w, v, a number, and
+# times that number t0, way and c, so that the motion takes b to t0 + c + tau way + S (R0 b - c), where S is a rotation
+# about v. For a centre C, c is R0 C. Otherwise it is on the axis, c = (Q - v (v.Q) / v.v + w (v x Q) / v.v) / 2 with
+# Q = t1 - t0, as v x across = v x Q (so m of the page is -a x c), and way is along.
+def course(start, end, centre):
+    (t0, d0, q0), (t1, d1, q1) = start, end
+    (w, v), n0, n1 = relative(q0, q1), norm(q0), norm(q1)
+    vv = dot(v, v)
+    unit = d0 * d1 * n0 * (n1 if centre else 2 * (vv or 1))
+    t0, q = scale(unit // d0, t0), sub(scale(unit // d1, t1), scale(unit // d0, t0))
+    if centre:
+        c = scale(unit // n0, rotate(q0, centre))
+        return w, v, unit, t0, add(q, sub(scale(unit // n1, rotate(q1, centre)), c)), c
+    along = floor(scale(dot(v, q), v), vv) if vv else q   # all divisions are without a remainder
+    return w, v, unit, t0, along, floor(add(sub(q, along), floor(scale(w, cross(v, q)), vv or 1)), 2)
+
+
+# The polynomials W p and W of a screw or sweep as matrices: row k has the factors of tau^k, times a positive number:
+# three vectors for the coordinates of the corner, a constant vector, and a number for W; 13 integers. With z = R0 b,
+#       W p = W (t0 + c + tau way) + f(z) - f(c)
+# - Screw, both times w^2:   W = w^2 + tau^2 v.v
+#                            f(z) = w^2 z + tau 2 w v x z + tau^2 (v.v z + 2 v x (v x z))
+# - Sweep, with M = N^2 = w^2 + v.v and u = 2 (N w - M):   W = M + tau u - tau^2 u
+#                            f(z) = M z + tau (u z + 2 N v x z) + tau^2 (-u z + 2 (w - N) v x z + 2 v x (v x z))
+#   This is linear in N, and so is each condition on W p and W. So it holds if it does for both ends of the enclosure of
+#   N: there are two matrices, unless N is an integer.
 class Piece:
-    def __init__(self, start, end):
-        (t0, (w0, *u0)), (t1, (w1, *u1)) = start, end
-        w, v, q = w0 * w1 + dot(u0, u1), sub(sub(scale(w0, u1), scale(w1, u0)), cross(u1, u0)), sub(t1, t0)
-        ww, vv, wvq, along = w * w, dot(v, v), scale(w, cross(v, q)), scale(dot(v, q), v)
-        power = (), (), (), ()
-        for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):   # y is R0 e, times |q0|^2
-            y = add(scale(w0 * w0 - dot(u0, u0), e), scale(2 * dot(u0, e), u0), scale(2 * w0, cross(u0, e)))
-            turned = add(scale(vv, y), scale(2, cross(v, cross(v, y))))
-            power = [a + b for a, b in zip(power, (scale(ww, y), scale(2 * w, cross(v, y)), turned, (0, 0, 0)))]
-        constants = ((*scale(ww, t0), ww), (*sub(scale(ww, q), wvq), 0),
-                     (*sub(add(scale(vv, t0), scale(vv, q), wvq), along), vv), (*along, 0))
-        power = [a + scale(w0 * w0 + dot(u0, u0), b) for a, b in zip(power, constants)]
-        common = math.gcd(*(x for row in power for x in row))
-        self.power = [[x // common for x in row] for row in power]
+    def __init__(self, start, end, centre):
+        # The length of q1 does not matter: for a sweep it makes N at least 2^(BITS - 1).
+        if centre: end = *end[:2], [x << max(0, BITS - norm(end[2]).bit_length() // 2) for x in end[2]]
+        w, v, unit, t0, way, c = course(start, end, centre)
+        m, n0, self.matrices = w * w + dot(v, v), norm(start[2]), []
+        least, kinds = math.isqrt(m), [((w * w, 0, dot(v, v), 0), (0, 2 * w, 0))]   # screw: factors of W, of v x z
+        if centre:
+            kinds = [((m, 2 * (n * w - m), 2 * (m - n * w), 0), (0, 2 * n, 2 * (w - n)))
+                     for n in range(least, least + 1 + (least * least < m))]
+        for weights, turns in kinds:
+            columns = [powers(scale(unit // n0, rotate(start[2], e)), v, weights, turns) for e in AXES]
+            moved = [add(scale(x, add(t0, c)), scale(y, way)) for x, y in zip(weights, (0, *weights))]
+            rows = [(*x, *y, *z, *sub(a, b), unit * weight)
+                    for x, y, z, a, b, weight in zip(*columns, moved, powers(c, v, weights, turns), weights)]
+            common = math.gcd(*(x for row in rows for x in row))
+            self.matrices.append([[x // common for x in row] for row in rows])
 
-    # The factors of the powers of tau / end, times a positive number.
-    def stretched(self, end):
-        above, below = end.as_integer_ratio()
-        return [[x * above ** k * below ** (3 - k) for x in row] for k, row in enumerate(self.power)]
+    # Sets the places of all corners at tau in the frame of the fixed body, and returns: a number that they are times
+    # of; how much their coordinates may be too small or too great; the rotation (of any length), and its error.
+    # A coordinate is a quotient of linear functions of N with a positive divisor, so it is between those of both ends.
+    def place(self, tau, moving, fixed):
+        found = [[sum(column) for column in zip(*stretched(rows, tau))] for rows in self.matrices]
+        unit = math.prod(row[12] for row in found)
+        maps = [[(scale(unit // row[12], row[i:9:3]), unit // row[12] * row[9 + i]) for i in range(3)] for row in found]
+        sides = [[tuple([dot(row, p) + constant for row, constant in rows]) for p in moving.corners] for rows in maps]
+        moving.places, fixed.places = sides[0], [scale(unit, p) for p in fixed.corners]
+        error = max([abs(x) for p, q in zip(*sides) for x in sub(p, q)]) if sides[1:] else 0
+        return unit, error, [row for row, _ in maps[0]], 0   # the rotation is asked for only at tau = 0: exact
 
-    # Their sums, so what is at tau = end.
-    def at(self, end): return [sum(column) for column in zip(*self.stretched(end))]
-
-    # A function for the Bernstein coefficients, times a positive number, on cell j of 2^depth equal ones of [0, end].
-    def cells(self, end):
-        columns = list(zip(*self.stretched(end)))
+    # A function that refuses a plane that is not below all corners on cell j of 2^depth equal ones of [0, end].
+    def plane_test(self, end):
+        columns = [column for rows in self.matrices for column in zip(*stretched(rows, end))]
 
         @functools.lru_cache(maxsize=1024)
-        def cell(depth, j):
+        def cell(depth, j):   # the Bernstein coefficients, times a positive number
             found = []
             for c0, c1, c2, c3 in columns:   # first the powers of x - j, where the cell is [j, j + 1] of x
                 c0, c1, c2 = c0 << 3 * depth, c1 << 2 * depth, c2 << depth
                 c0, c1, c2 = ((c3 * j + c2) * j + c1) * j + c0, (3 * c3 * j + 2 * c2) * j + c1, 3 * c3 * j + c2
                 found.append((3 * c0, 3 * c0 + c1, 3 * c0 + 2 * c1 + c2, 3 * (c0 + c1 + c2 + c3)))
-            return [(row[0:3], row[3:6], row[6:9], row[9:12], row[12]) for row in zip(*found)]
+            return [(row[0:3], row[3:6], row[6:9], row[9:12], row[12])
+                    for k in range(0, len(found), 13) for row in zip(*found[k:k + 13])]
 
-        return cell
+        def test(n, root, top, corners, depth, j):
+            for ex, ey, ez, constant, weight in cell(depth, j):
+                nx, ny, nz = dot(n, ex), dot(n, ey), dot(n, ez)
+                least = min([nx * x + ny * y + nz * z for x, y, z in corners]) + dot(n, constant)
+                need(least > top * weight, "the plane does not separate")
+
+        return test
 
 
-# Sets the places of all corners at tau in the frame of the fixed body, times the last of the numbers returned.
-def place(piece, tau, moving, fixed):
-    at = piece.at(tau)
-    rows = [(at[i:9:3], at[9 + i]) for i in range(3)]
-    moving.places = [tuple([dot(row, p) + constant for row, constant in rows]) for p in moving.corners]
-    fixed.places = [scale(at[12], p) for p in fixed.corners]
-    return at
+# The factors of the powers of tau in f(z).
+def powers(z, v, weights, turns):
+    turned = cross(v, z)
+    first, second, third = [add(scale(x, z), scale(y, turned)) for x, y in zip(weights, turns)]
+    return first, second, add(third, scale(2, cross(v, turned))), ZERO
+
+
+# The factors of the powers of tau / end, times a positive number.
+def stretched(rows, end):
+    above, below = end.as_integer_ratio()
+    return [[x * above ** k * below ** (3 - k) for x in row] for k, row in enumerate(rows)]
+
+
+# --- chains ----------------------------------------------------------------------------------------------------------
+
+class Chain:
+    def __init__(self, reader):
+        self.count, count = (integer(word, 1) for word in reader.take("motion chain", 2))
+        self.links, self.knots, self.texts, width = [], [], ["motion: chain"], 0
+        while len(self.links) < count:
+            words = reader.take("link", max(1, len(reader.peek()) - 1))
+            back = words[0] == "back"
+            kind, numbers = "".join(words[back:back + 1]), [real(word) for word in words[back + 1:]]
+            need(kind in LINKS and len(numbers) == LINKS[kind][0], "unknown link, or a wrong count of its numbers")
+            need(kind != "turn" or any(numbers), "the axis is 0")
+            if kind == "pose": quaternion(numbers)
+            self.texts.append(f"link: {'back ' * back}{kind} {shown(numbers)}".strip())
+            self.links.append((back, kind, numbers, slice(width, width + LINKS[kind][1])))
+            width += LINKS[kind][1]
+        while len(self.knots) <= self.count:
+            row = [real(word) for word in reader.take("knot", width)]
+            if len(self.knots) in (0, self.count): self.texts.append(f"knot {len(self.knots)}: {shown(row)}".strip())
+            self.knots.append([row[part] for *_, part in self.links])
+            for start, end in zip(self.knots[-2:][0], self.knots[-1]):   # of the first knot with itself
+                if len(end) == 7: need(relative(quaternion(start), quaternion(end))[0], "the piece is half a turn")
+
+        rows = [numbers for _, _, numbers, _ in self.links] + [part for knot in self.knots for part in knot]
+        self.numbers = [x for row in rows for x in row]
+
+    def piece(self, i, unit, bodies):
+        links = [(back, kind, *(integers(x, unit) for x in (numbers, start, end)))
+                 for (back, kind, numbers, _), start, end in zip(self.links, *self.knots[i:i + 2])]
+        return ChainPiece(links, unit, max(map(total, bodies[0].corners)))
+
+
+# A vector is a pair (x, e): the true vector is within e of the integers x. Lengths are integers as they are; numbers
+# without a unit (and vectors of them) are multiples of 2^-bits. Each rounding down of a vector adds less than 2 to e.
+class ChainPiece:
+    def __init__(self, links, unit, size):
+        self.unit, self.size, self.bits = unit, size, BITS   # size: at least the length of each corner
+        for w, v in (relative(start[3:], end[3:]) for _, kind, _, start, end in links if kind == "twist"):
+            # The axis may be far away. Beyond 4096 bits nothing would be wrong, but more than needed is refused.
+            if any(v): self.bits = min(4096, max(self.bits, BITS + w.bit_length() - total(v).bit_length()))
+        self.links = [(link[0], *self.link(*link)) for link in reversed(links)]   # the innermost first
+
+    # The row of the table: A0, V, R (with back its inverse; None: 1), B, k (None: no turn), theta0, omega, and a bound
+    # of |omega|, which is 0 only if omega is. Of theta0 and omega less than 1 and 2 may be missing.
+    def link(self, back, kind, numbers, start, end):
+        zero, one = (ZERO, 0), 1 << self.bits
+        if kind == "pose": return (numbers[:3], 0), zero, self.rotation(numbers[3:], back), zero, None, 0, 0, 0
+        if kind in ("slide", "turn"): steps = start[0], end[0] - start[0]
+        if kind == "slide": return *((floor(scale(s, numbers), self.unit), 2) for s in steps), None, zero, None, 0, 0, 0
+        if kind == "turn":
+            theta, omega = (one * s // self.unit for s in steps)
+            return zero, zero, None, zero, direction(numbers, self.bits), theta, omega, (abs(omega) + 2) * (start != end)
+        w, v, unit, t0, way, c = course(*((x[:3], 1, x[3:]) for x in (start, end)), numbers)
+        a, way, b = ((floor(x, unit), 2) for x in (add(t0, c), way, scale(-1, c)))
+        omega = double_angle(w, dot(v, v), self.bits)
+        turn = (direction(v, self.bits), 0, omega, omega + 2) if any(v) else (None, 0, 0, 0)
+        return a, way, self.rotation(start[3:], back), b, *turn
+
+    # The rows of a matrix with errors below 1, which add at most 3 times the length of a vector that it is applied to.
+    def rotation(self, q, back):
+        q = conjugate(q) if back else q
+        return list(zip(*(floor(scale(1 << self.bits, rotate(q, e)), norm(q)) for e in AXES))), 3
+
+    # The rotation about k, which has errors below 2, by the angle, which has one below 4. With the errors 6 of cosine
+    # and sine, those of s k are below 6 + 3, of (1 - c) k_i below 6 + 6, of its product with k_j below 12 + 5, and all
+    # together with the cosine below 9 + 17 + 6 + 1 = 33; 3 times that for the length.
+    def turn(self, k, angle):
+        (c, s), one = cos_sin(angle, self.bits), 1 << self.bits
+        rest = floor(scale(one - c, k), one)
+        return list(zip(*(add(scale(c, e), floor(add(scale(s, cross(k, e)), scale(dot(rest, e), k)), one))
+                          for e in AXES))), 100
+
+    # The true rotation does not change e; the difference of the two is applied to x.
+    def turned(self, rotation, vectors):
+        if not rotation: return vectors
+        return [(tuple([dot(row, x) >> self.bits for row in rotation[0]]),
+                 e + (rotation[1] * total(x) >> self.bits) + 3) for x, e in vectors]
+
+    # The maps at tau = num / 2^shift from the corner b: for each link that turns y, y', and o; at last x and x'.
+    # A map is linear: it has the images of the three unit vectors, and the constant vector.
+    def maps(self, num, shift):
+        one, found, rate = 1 << self.bits, [], [(ZERO, 0)] * 4
+        x = [(scale(one, e), 0) for e in AXES] + [(ZERO, 0)]
+        for back, a, v, r, b, k, theta, omega, o in self.links:
+            a, sign = plus(a, (floor(scale(num, v[0]), 1 << shift), v[1] + 2)), -1 if back else 1
+            turn = k and self.turn(k, sign * (theta + (omega * num >> shift)))
+            if back: x, rate = moved(x, a, -1), moved(rate, v, -1)
+            else: x, rate = moved(self.turned(r, x), b), self.turned(r, rate)
+            if o:
+                found.append((self.rows(x), self.rows(rate), o))
+                # k has errors below 2 and omega one below 2, so omega k one below 2 + 4 |omega|, and o >= |omega|
+                spin, error = floor(scale(sign * omega, k), one), 4 * (o >> self.bits) + 8
+                rate = [plus(y, (floor(cross(spin, z), one), (o * e + error * total(z) >> self.bits) + 3))
+                        for y, (z, e) in zip(rate, x)]
+            x, rate = self.turned(turn, x), self.turned(turn, rate)
+            if back: x, rate = self.turned(r, moved(x, b, -1)), self.turned(r, rate)
+            else: x, rate = moved(x, a), moved(rate, v)
+        return found, self.rows(x), self.rows(rate), max(e for _, e in x[:3])
+
+    # The rows of a map, and a bound of the error of the image of a corner, which is rounded down, too.
+    def rows(self, columns):
+        vectors, errors = zip(*columns)
+        return list(zip(*vectors)), (self.size * max(errors[:3]) >> self.bits) + errors[3] + 3
+
+    def image(self, rows, p):
+        (x, y, z), bits = p, self.bits
+        return tuple([(a * x + b * y + c * z >> bits) + d for a, b, c, d in rows])
+
+    def place(self, tau, moving, fixed):
+        num, den = tau.as_integer_ratio()
+        _, (rows, error), _, row_error = self.maps(num, den.bit_length() - 1)
+        moving.places, fixed.places = [self.image(rows, p) for p in moving.corners], fixed.corners
+        return 1, error, [row[:3] for row in rows], row_error
+
+    def plane_test(self, end):
+        (num, den), maps = end.as_integer_ratio(), functools.lru_cache(maxsize=1 + 4096 // len(self.links))(self.maps)
+
+        # The place of a corner at the middle of the cell, h times its rate, and how much more than their products with
+        # n is to be taken off, as a multiple of |n|: h^2 g / 2 and the errors. All bounds are rounded up.
+        @functools.lru_cache(maxsize=1 << 16)
+        def corner(p, depth, j):
+            shift, g = den.bit_length() + depth, 0   # h = num / 2^shift
+            found, (place, error), (rate, rate_error), _ = maps(num * (2 * j + 1), shift)
+            for (y, ey), (z, ez), o in found:
+                f = math.isqrt(norm(self.image(z, p))) + 1 + ez - (-g * num >> shift)
+                r = math.isqrt(norm(self.image(y, p))) + 1 + ey - (-f * num >> shift)
+                g += ((2 * o * f << self.bits) + o * o * r >> 2 * self.bits) + 1
+            rest = error + 2 - (-rate_error * num >> shift) - (-g * num * num >> 2 * shift + 1)
+            return self.image(place, p), floor(scale(num, self.image(rate, p)), 1 << shift), rest
+
+        def test(n, root, top, corners, depth, j):
+            found = (corner(p, depth, j) for p in corners)
+            need(all(dot(n, place) - abs(dot(n, way)) > top + root * rest for place, way, rest in found),
+                 "the plane does not separate")
+
+        return test
+
+
+def plus(a, b, sign=1): return add(a[0], scale(sign, b[0])), a[1] + b[1]
+def moved(columns, by, sign=1): return columns[:3] + [plus(columns[3], by, sign)]
 
 
 # --- proof -----------------------------------------------------------------------------------------------------------
 
-# Reads and checks the steps of one piece and returns their number.
-def prove(reader, cell, moving, fixed, reach):
+# Reads and checks the steps of one piece and returns their number. test() checks that a plane separates.
+def prove(reader, test, moving, fixed, reach):
     stack, steps = [(0, len(moving.faces), 0, len(fixed.faces), 0, 0)], 0
     while stack:
         b, e, f, g, depth, j = stack.pop()   # the nodes [b, e) and [f, g), and cell j of 2^depth
@@ -233,10 +527,7 @@ def prove(reader, cell, moving, fixed, reach):
             need(any(n), "the normal is 0")
             root = math.isqrt(dot(n, n) - 1) + 1   # rounded up
             top = max([nx * x + ny * y + nz * z for x, y, z in fixed.node(f, g)]) + root * reach
-            for ex, ey, ez, constant, weight in cell(depth, j):
-                nx, ny, nz = dot(n, ex), dot(n, ey), dot(n, ez)
-                least = min([nx * x + ny * y + nz * z for x, y, z in moving.node(b, e)]) + dot(n, constant)
-                need(least > top * weight, "the plane does not separate")
+            test(n, root, top, moving.node(b, e), depth, j)
         elif word == "T" and depth < MAX_DEPTH: stack += [(b, e, f, g, depth + 1, 2 * j + half) for half in (1, 0)]
         elif word == "A" and e - b > 1: stack += ((b + e) // 2, e, f, g, depth, j), (b, (b + e) // 2, f, g, depth, j)
         elif word == "B" and g - f > 1: stack += (b, e, (f + g) // 2, g, depth, j), (b, e, f, (f + g) // 2, depth, j)
@@ -248,23 +539,28 @@ def prove(reader, cell, moving, fixed, reach):
 
 # --- who is inside of whom -------------------------------------------------------------------------------------------
 
-# How often the surface of the body winds around the start of the ray.
-def winding(body, start, ray):
-    points = [sub(p, start) for p in body.places]
-    need(any(ray), "the direction is 0")
-    i, j, k = next((i, j, k) for i, j, k in ((1, 2, 0), (2, 0, 1), (0, 1, 2)) if ray[k])
+# How often the surface of the body winds around the start of the ray. The coordinates of places (and so of the start)
+# and those of the ray may be too small or too great by the two errors. What is within its bound may be 0.
+def winding(body, start, ray, error=0, ray_error=0):
+    points, error = [sub(p, start) for p in body.places], 2 * error
+    k = max(range(3), key=lambda k: abs(ray[k]))
+    need(abs(ray[k]) > ray_error, "the direction is 0")
+    i, j, longest, far = (k + 1) % 3, (k + 2) % 3, abs(ray[k]), (error or ray_error) and max(map(total, points))
     flat = [(ray[k] * p[i] - ray[i] * p[k], ray[k] * p[j] - ray[j] * p[k]) for p in points]   # seen along the ray
-    count = 0
+    flat_error, count = 2 * (longest * error + ray_error * far + ray_error * error), 0
+    bound, height_bound = 8 * longest * far * flat_error + 2 * flat_error ** 2, 6 * ((far + error) ** 3 - far ** 3)
     for face in body.faces:
         for b, c in zip(face[1:], face[2:]):
             (ax, ay), (bx, by), (cx, cy) = flat[face[0]], flat[b], flat[c]
             areas = ax * by - ay * bx, bx * cy - by * cx, cx * ay - cy * ax   # ray[k] times ray . (a x b) and so on
-            if min(areas) < 0 < max(areas): continue   # the line of the ray passes by
-            need(any(areas), "the ray is in one plane with a triangle")
+            least, most = min(areas), max(areas)
+            if least < -bound and most > bound: continue   # the line of the ray passes by
+            need(least < -bound or most > bound, "the ray is in one plane with a triangle")
             height = dot(points[face[0]], cross(points[b], points[c]))   # point . normal
-            leaves = (sum(areas) > 0) == (ray[k] > 0)   # the sum is ray[k] times ray . normal
-            if height and (height > 0) != leaves: continue   # the triangle is behind the start
-            need(height and all(areas), "the ray meets the edge of a triangle, or starts on one")
+            leaves = (most > bound) == (ray[k] > 0)   # where the line meets it, areas have one sign: of ray . normal
+            if abs(height) > height_bound and (height > 0) != leaves: continue   # the triangle is behind the start
+            need(abs(height) > height_bound and min(map(abs, areas)) > bound,
+                 "the ray meets the edge of a triangle, or starts on one")
             count += 1 if leaves else -1
     return count
 
@@ -278,19 +574,20 @@ def find_edge(bodies, name, f, c):
     return body, other, face[c], face[(c + 1) % len(face)]
 
 
-# How often the other body winds around a corner; the places and at are of tau = 0 of piece 0.
-def winding_at_start(bodies, at, name, f, c, *ray):
+# How often the other body winds around a corner; the places are of tau = 0 of piece 0, start is what place() returned.
+def winding_at_start(bodies, start, name, f, c, *ray):
     body, other, corner, _ = find_edge(bodies, name, f, c)
     need(other.solid, f"the {other.name} body is no solid")
-    ray = list(map(integer, ray))
-    if name == "fixed": ray = [dot(at[i:9:3], ray) for i in range(3)]   # turned like the moving body
-    return winding(other, body.places[corner], ray), body, corner
+    ray, (_, error, rotation, ray_error) = list(map(integer, ray)), start
+    if name == "moving": return winding(other, body.places[corner], ray, error), body, corner
+    turned, ray_error = [dot(row, ray) for row in rotation], ray_error * total(ray)   # like the moving body
+    return winding(other, body.places[corner], turned, error, ray_error), body, corner
 
 
-def check_outside(reader, bodies, at):
+def check_outside(reader, bodies, start):
     parts, found = {body.name: body.parts() for body in bodies}, set()
     while reader.peek()[:1] == ["outside"]:
-        count, body, corner = winding_at_start(bodies, at, *reader.take("outside", 6))
+        count, body, corner = winding_at_start(bodies, start, *reader.take("outside", 6))
         need(count <= 0, "the corner is inside of the other body")
         found.add((body.name, parts[body.name][corner]))
     for body, other in zip(bodies, bodies[::-1]):
@@ -300,23 +597,29 @@ def check_outside(reader, bodies, at):
 
 # --- witness ---------------------------------------------------------------------------------------------------------
 
-# Places of the corners of face f, which has to be convex. If the areas of its fan cancel (normal 0), it is not.
+# Enclosures of the places of some corners.
+def enclosed(body, corners, error):
+    return [tuple([Interval(x - error, x + error) for x in body.places[v]]) for v in corners]
+
+
+# The corners of face f, which has to be convex (as it is in the frame of the body).
 def convex(body, f):
-    points = [body.places[v] for v in body.faces[integer(f, 0, len(body.faces))]]
+    face = body.faces[integer(f, 0, len(body.faces))]
+    points = [body.corners[v] for v in face]
     edges = [sub(q, p) for p, q in zip(points, points[1:] + points[:1])]
     fan = [cross(sub(p, points[0]), sub(q, points[0])) for p, q in zip(points[1:], points[2:])]
-    normal, turns = add(*fan), [cross(p, q) for p, q in zip(edges, edges[1:] + edges[:1])]
-    need(all(dot(normal, x) >= 0 for x in fan + turns) and (any(normal) or not any(map(any, fan))),
+    normal, turns = functools.reduce(add, fan), [cross(p, q) for p, q in zip(edges, edges[1:] + edges[:1])]
+    need(len(face) == 3 or (any(normal) and all(dot(normal, x) >= 0 for x in fan + turns)),
          "the face of the witness is not convex")
-    return points
+    return face
 
 
 # The point (U a + V b + W c) / (U + V + W) of face f as its numerator and denominator.
-def weighted(body, f, i, j, k, *weights):
-    points, weights = convex(body, f), [integer(word, 0) for word in weights]
-    i, j, k = (integer(word, 0, len(points)) for word in (i, j, k))
+def weighted(body, error, f, i, j, k, *weights):
+    face, weights = convex(body, f), [integer(word, 0) for word in weights]
+    i, j, k = (integer(word, 0, len(face)) for word in (i, j, k))
     need(i == 0 < j and k == j + 1 and any(weights), "corners other than 0, k, k + 1, or all weights are 0")
-    return add(*map(scale, weights, (points[0], points[j], points[k]))), sum(weights)
+    return functools.reduce(add, map(scale, weights, enclosed(body, (face[0], face[j], face[k]), error))), sum(weights)
 
 
 def check_witness(reader, bodies, piece, verdict, lower, upper, reach):
@@ -324,23 +627,24 @@ def check_witness(reader, bodies, piece, verdict, lower, upper, reach):
     need(kind in ("cross", "near") or (kind, verdict) == ("inside", "start"), "a witness that fits is expected here")
     tau, *words = reader.take("witness " + kind, {"cross": 6, "near": 15, "inside": 6}[kind])
     if kind == "inside":
-        count = winding_at_start(bodies, place(piece, 0, *bodies), tau, *words)[0]   # the first word is no tau
+        count = winding_at_start(bodies, piece.place(0, *bodies), tau, *words)[0]   # the first word is no tau
         return need(count > 0, "the corner of the witness is not inside of the other body")
     need(lower <= real(tau) <= upper, "TAU of the witness does not fit the verdict")
-    unit = place(piece, real(tau), *bodies)[12]
+    unit, error, *_ = piece.place(real(tau), *bodies)
     if kind == "cross":
         body, other, p, q = find_edge(bodies, *words[:3])
-        p, q, points = body.places[p], body.places[q], convex(other, words[3])
-        k = integer(words[4], 1, len(points) - 1)
-        triangle = points[0], points[k], points[k + 1]
+        face = convex(other, words[3])
+        k = integer(words[4], 1, len(face) - 1)
+        (p, q), triangle = enclosed(body, (p, q), error), enclosed(other, (face[0], face[k], face[k + 1]), error)
         normal = cross(sub(triangle[1], triangle[0]), sub(triangle[2], triangle[0]))
         sp, sq = dot(normal, sub(p, triangle[0])), dot(normal, sub(q, triangle[0]))
-        # sp = sq = 0 if the triangle has no area, or the edge is in its plane
-        need(sp * sq <= 0 and sp != sq, "the edge of the witness does not cross the plane of the triangle")
-        unit, meet = abs(sp - sq), add(scale(abs(sq), p), scale(abs(sp), q))   # they meet at meet / unit
+        if sp >= sq: p, q, sp, sq = q, p, sq, sp
+        # sp = sq = 0 if the triangle has no area, or the edge is in its plane; all numbers are integers
+        need(sp <= 0 and sq >= 0 and sq - sp >= 1, "the edge of the witness does not cross the plane of the triangle")
+        unit, meet = sq - sp, sub(scale(sq, p), scale(sp, q))   # they meet at meet / unit
         sides = [cross(sub(b, a), sub(meet, scale(unit, a))) for a, b in zip(triangle, triangle[1:] + triangle[:1])]
         return need(all(dot(normal, x) >= 0 for x in sides), "the edge of the witness passes beside the triangle")
-    (p, sp), (q, sq) = weighted(bodies[0], *words[:7]), weighted(bodies[1], *words[7:])
+    (p, sp), (q, sq) = weighted(bodies[0], error, *words[:7]), weighted(bodies[1], error, *words[7:])
     gap = sub(scale(sq, p), scale(sp, q))
     need(dot(gap, gap) <= (reach * unit * sp * sq) ** 2, "the points of the witness are too far apart")
 
@@ -358,40 +662,38 @@ def check(reader, bodies):
     for body in bodies: body.solid = solid in (body.name, "both") and body.is_closed()
     lengths = [real(word) for word in reader.take("radius", 2) + reader.take("margin", 1)]
     need(min(lengths) >= 0, "a radius or the margin is below 0")
-    count, poses = 1 + integer(reader.take("motion screw", 1)[0], 1), []
-    while len(poses) < count:
-        poses.append([real(word) for word in reader.take("pose", 7)])
-        need(any(poses[-1][3:]), "the quaternion is 0")
-        need(sum(x * y for x, y in zip(poses[max(0, len(poses) - 2)][3:], poses[-1][3:])), "the piece is half a turn")
+    kind = "".join(reader.peek()[1:2])
+    motion = Chain(reader) if kind == "chain" else Rigid(reader, "sweep" if kind == "sweep" else "screw")
     verdict, *words = reader.take("verdict", max(1, len(reader.peek()) - 1))
     need((verdict, len(words)) in (("clear", 0), ("contact", 3), ("start", 0)), "unknown verdict")
-    end, lower, upper = (0, 0, 0) if verdict == "start" else (count - 2, 1, 1)   # the last piece that matters
+    end, lower, upper = (0, 0, 0) if verdict == "start" else (motion.count - 1, 1, 1)   # the last piece that matters
     if verdict == "contact":
-        end, lower, upper = integer(words[0], 0, count - 1), real(words[1]), real(words[2])
+        end, lower, upper = integer(words[0], 0, motion.count), real(words[1]), real(words[2])
         need(0 <= lower <= upper <= 1, "0 <= LOWER <= UPPER <= 1 does not hold")
 
-    # From here on all lengths are integers.
-    doubles = (lengths, *(row[:3] for row in poses), *(p for body in bodies for p in body.points))
-    unit = max(x.as_integer_ratio()[1] for row in doubles for x in row)
+    # From here on all lengths are integers; those of chains are large ones, so that they may be rounded.
+    points = [x for body in bodies for p in body.points for x in p]
+    unit = max(x.as_integer_ratio()[1] for numbers in (lengths, motion.numbers, points) for x in numbers)
+    if kind == "chain": unit <<= max(0, BITS - integers([max(map(abs, points))], unit)[0].bit_length())
     reach, steps = sum(integers(lengths, unit)), 0
     for body in bodies: body.corners = [integers(p, unit) for p in body.points]
-    # The quaternions are integers, too, as their lengths do not matter.
-    frames = [(integers(row[:3], unit), integers(row[3:], max(x.denominator for x in row[3:]))) for row in poses]
     if verdict != "start":
         for body in bodies:
             body.order = list(map(integer, reader.take("order " + body.name, len(body.faces))))
             need(sorted(body.order) == list(range(len(body.faces))), "the order is no permutation of the faces")
-        check_outside(reader, bodies, place(Piece(*frames[:2]), 0, *bodies))
+        check_outside(reader, bodies, motion.piece(0, unit, bodies).place(0, *bodies))
         for i in range(end + 1):
             reader.take(f"proof {i}", 0)
-            steps += prove(reader, Piece(*frames[i:i + 2]).cells(lower if i == end else 1), *bodies, reach)
+            steps += prove(reader, motion.piece(i, unit, bodies).plane_test(lower if i == end else 1), *bodies, reach)
     if verdict != "clear":
-        check_witness(reader, bodies, Piece(*frames[end:end + 2]), verdict, lower, upper, reach)
+        check_witness(reader, bodies, motion.piece(end, unit, bodies), verdict, lower, upper, reach)
     need(not reader.peek(), "nothing more is expected")
     if verdict == "contact": verdict += f" in piece {end}, not up to tau {float(lower)}, but up to tau {float(upper)}"
-    rows = {"margin": lengths[2:], "radii": lengths[:2], "first pose": poses[0], "last pose": poses[-1]}
-    texts = [f"{name}: {' '.join(str(float(x)) for x in row)}" for name, row in rows.items()]
-    return [f"verdict: {verdict}", *texts, f"solid: {solid}", f"pieces: {count - 1}", f"steps: {steps}"]
+    return [f"verdict: {verdict}", "margin: " + shown(lengths[2:]), "radii: " + shown(lengths[:2]), *motion.texts,
+            f"solid: {solid}", f"pieces: {motion.count}", f"steps: {steps}"]
+
+
+def shown(numbers): return " ".join(str(float(x)) for x in numbers)
 
 
 # The exit status, and what to print.

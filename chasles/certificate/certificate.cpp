@@ -5,16 +5,14 @@
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/certificate/certified_body.h"
 #include "chasles/certificate/hexadecimal.h"
+#include "chasles/certificate/piece_motion.h"
 #include "chasles/certificate/prover.h"
 #include "chasles/certificate/witness.h"
 #include "chasles/mesh/body.h"
-#include "chasles/motion/any_trajectory.h"
-#include "chasles/motion/screw_trajectory.h"
 
 #include <algorithm>
-#include <numbers>
+#include <limits>
 #include <optional>
-#include <vector>
 
 namespace chasles {
 
@@ -29,12 +27,6 @@ std::string line(const std::string& word, std::initializer_list<double> numbers)
     return text + "\n";
 }
 
-std::string pose_line(const Pose& pose) {
-    const Eigen::Vector3d& p = pose.translation;
-    const Eigen::Quaterniond& q = pose.rotation;
-    return line("pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
-}
-
 std::string body_line(const Polyhedron& body) {
     return " " + hash_of(body) + " " + std::to_string(body.face_count()) + "\n";
 }
@@ -46,34 +38,11 @@ std::string order_line(const std::string& name, const FaceTree& tree) {
     return text + "\n";
 }
 
-/// The pieces of a screw. Throws InvalidInput for other motions.
-std::vector<ScrewMotion> pieces_of(const Motion& motion) {
-    const auto* const screw =
-        dynamic_cast<const motion::ErasedTrajectory<motion::ScrewTrajectory>*>(&motion.trajectory());
-    if (!screw)
-        throw InvalidInput("certificate: only the motions that are the paper's screw are certified so far");
-    if (screw->get().ends().fixed)
-        throw InvalidInput(
-            "certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
-    std::vector<ScrewMotion> pieces;
-    const motion::ScrewPieces all = screw->get().pieces();
-    for (std::size_t i = 0; i < all.size(); ++i)
-        pieces.push_back(ScrewMotion::between(all.ends_of(i).start, all.ends_of(i).goal, std::numbers::pi));
-    return pieces;
-}
-
-std::string motion_lines(const std::vector<ScrewMotion>& pieces) {
-    std::string text = "motion screw " + std::to_string(pieces.size()) + "\n";
-    for (const ScrewMotion& piece : pieces)
-        text += pose_line(piece.trajectory().ends().start);
-    return text + pose_line(pieces.back().trajectory().ends().goal);
-}
-
 class Certifier {
 public:
-    explicit Certifier(const FirstContactQuery& query)
-        : moving_(query.moving), fixed_(query.fixed), options_(query.options), pieces_(pieces_of(query.motion)),
-          own_(moving_), other_(fixed_),
+    explicit Certifier(const PathQuery& query)
+        : moving_(query.moving), fixed_(query.fixed), options_(query.options), motion_(query.motions), own_(moving_),
+          other_(fixed_),
           reach_(DoubleDouble(moving_.radius()) + DoubleDouble(fixed_.radius()) + DoubleDouble(options_.margin)) {
         options_.find = Find::first;
     }
@@ -92,18 +61,30 @@ private:
     /// Brackets are wider by this at both ends: the bodies are apart before it, and pass through each other after it.
     static constexpr double beside = 0x1p-44;
 
-    /// The first piece with a contact.
+    /// The first piece with a contact, and its tau there.
     void answer() {
-        for (piece_ = 0; piece_ < pieces_.size(); ++piece_) {
-            found_ = first_contact({moving_, fixed_, pieces_[piece_], options_});
+        for (const CertifiedMotion::Part& part : motion_.parts()) {
+            found_ = first_contact({moving_, fixed_, part.motion, options_});
             if (found_.verdict == Verdict::unknown)
                 throw Cancelled();
+            if (found_.verdict == Verdict::contact)
+                find_piece(part);
             if (found_.verdict != Verdict::clear)
                 break;
         }
         verdict_ = found_.verdict;
         found_.tau.lower = std::max(found_.tau.lower - beside, 0.0);
         found_.tau.upper = std::min(found_.tau.upper + beside, 1.0);
+    }
+    void find_piece(const CertifiedMotion::Part& part) {
+        const auto after = std::ranges::lower_bound(part.times, found_.time.upper);
+        const auto index = std::size_t(std::max<std::ptrdiff_t>(after - part.times.begin(), 1) - 1);
+        piece_ = part.first_piece + index;
+        if (motion_.is_screw())
+            return;
+        const double begin = part.times[index], duration = part.times[index + 1] - begin;
+        const auto within = [&](double time) { return std::clamp((time - begin) / duration, 0.0, 1.0); };
+        found_.tau = {within(found_.time.lower), within(found_.time.upper)};
     }
 
     [[nodiscard]] std::string head() const {
@@ -112,7 +93,7 @@ private:
             "chasles certificate 1\nmoving" + body_line(moving_) + "fixed" + body_line(fixed_) + "solid ";
         text += a && b ? "both\n" : a ? "moving\n" : b ? "fixed\n" : "none\n";
         text += line("radius", {moving_.radius(), fixed_.radius()}) + line("margin", {options_.margin});
-        text += motion_lines(pieces_);
+        text += motion_.lines();
         if (verdict_ == Verdict::clear)
             return text + "verdict clear\n";
         if (verdict_ == Verdict::contact_at_start)
@@ -120,7 +101,7 @@ private:
         return text + line("verdict contact " + std::to_string(piece_), {found_.tau.lower, found_.tau.upper});
     }
     [[nodiscard]] PieceOfBodies piece_of(std::size_t index) const {
-        return {own_, other_, motion::ScrewPiece(pieces_[index].trajectory().ends()).cubic(), reach_};
+        return {own_, other_, motion_.piece(index), reach_};
     }
 
     std::string outside() {
@@ -143,7 +124,7 @@ private:
     std::string proof() {
         std::string text;
         std::size_t open = 0;
-        for (std::size_t index = 0; index < pieces_.size() && index <= piece_; ++index) {
+        for (std::size_t index = 0; index < motion_.piece_count() && index <= piece_; ++index) {
             const Proof proof = prove(piece_of(index), index == piece_ ? found_.tau.lower : 1);
             text += "proof " + std::to_string(index) + "\n" + proof.steps;
             result_.planes += proof.planes;
@@ -180,12 +161,12 @@ private:
 
     Polyhedron moving_, fixed_;
     QueryOptions options_;
-    std::vector<ScrewMotion> pieces_;
+    CertifiedMotion motion_;
     FaceTree own_, other_;
     DoubleDouble reach_;
     FirstContact found_;
     Verdict verdict_ = Verdict::unknown;
-    std::size_t piece_ = 0;
+    std::size_t piece_ = std::numeric_limits<std::size_t>::max(); ///< with the contact, if there is one
     Certificate result_;
 };
 
@@ -194,6 +175,12 @@ private:
 } // namespace certificate
 
 Certificate certify(const FirstContactQuery& query) {
+    return certify(PathQuery{query.moving, query.fixed, {query.motion}, query.options});
+}
+
+Certificate certify(const PathQuery& query) {
+    if (query.motions.empty())
+        throw InvalidInput("certificate: the path has no motion");
     if (query.options.hold)
         throw InvalidInput("certificate: answers with `hold` are not certified");
     certificate::check_body(query.moving, "moving");
@@ -201,9 +188,8 @@ Certificate certify(const FirstContactQuery& query) {
     return certificate::Certifier(query).run();
 }
 
-bool is_about(const std::string& text, const Motion& motion) {
-    return text.find("\n" + certificate::motion_lines(certificate::pieces_of(motion)) + "verdict ") !=
-           std::string::npos;
+bool is_about(const std::string& text, std::span<const Motion> path) {
+    return text.find("\n" + certificate::CertifiedMotion(path).lines() + "verdict ") != std::string::npos;
 }
 
 } // namespace chasles

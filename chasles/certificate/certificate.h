@@ -2,9 +2,10 @@
 #pragma once
 
 #include "chasles/base/export.h"
-#include "chasles/query/first_contact.h"
+#include "chasles/query/path.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace chasles {
@@ -16,16 +17,22 @@ struct Certificate {
     std::string missing;
 };
 
-/// Proves the answer to a question about the paper's screw: with `margin`, radii, and solid bodies. The proof is found
-/// anew, beside the search, so that it does not share its faults. The bracket of a contact is wider than that of the
-/// answer, by 2^-44 of tau at both ends.
+/// Proves the answer to a question: with `margin`, radii, and solid bodies, one or both of which move. Motions are
+/// screws, sweeps, velocities, twists, even hinges and sliders, tracks of them (TimedPoses), and products of these. The
+/// proof is found anew, beside the search, so that it does not share its faults. The bracket of a contact is wider than
+/// that of the answer, by 2^-44 of the piece at both ends.
 ///
-/// Throws InvalidInput "certificate: WHY" for what cannot be certified: other motions, a fixed body that moves, `hold`,
-/// faces without area or cut polygons, faces that were moved inwards, closed parts of bodies that are not closed edge
-/// by edge. Throws Cancelled.
+/// Throws InvalidInput "certificate: WHY" for what cannot be certified: other motions, half turns of sweeps, velocities
+/// and twists, `hold`, faces without area or cut polygons, faces that were moved inwards, closed parts of bodies that
+/// are not closed edge by edge. Throws Cancelled.
 CHASLES_EXPORT Certificate certify(const FirstContactQuery& query);
+/// Likewise of a path whose motions are of one kind, each from where the last one ends. `progress` is not called.
+CHASLES_EXPORT Certificate certify(const PathQuery& query);
 
-/// Whether the motion of a certificate is this one, pose by pose. Throws InvalidInput as `certify` for other motions.
-CHASLES_EXPORT bool is_about(const std::string& text, const Motion& motion);
+/// Whether the motions of a certificate are these ones, pose by pose. Throws InvalidInput as `certify` for others.
+CHASLES_EXPORT bool is_about(const std::string& text, std::span<const Motion> path);
+inline bool is_about(const std::string& text, const Motion& motion) {
+    return is_about(text, std::span(&motion, 1));
+}
 
 } // namespace chasles

@@ -2,7 +2,7 @@
 // Source: docs/certificate.md, "Order".
 #pragma once
 
-#include "chasles/algebra/vector.h"
+#include "chasles/certificate/plane_form.h"
 #include "chasles/mesh/polyhedron.h"
 
 #include <array>
@@ -11,8 +11,6 @@
 #include <vector>
 
 namespace chasles::certificate {
-
-using Corner = algebra::Vector3<double>;
 
 class FaceTree {
 public:

@@ -55,11 +55,9 @@ std::string words_of(const IntegerNormal& normal) {
     return decimal(normal[0]) + " " + decimal(normal[1]) + " " + decimal(normal[2]);
 }
 
-PieceOfBodies::PieceOfBodies(const FaceTree& moving, const FaceTree& fixed,
-                             const motion::RationalMotion<DoubleDouble>& screw, const DoubleDouble& reach)
-    : moving_(moving), fixed_(fixed), refined_(screw), rounded_(motion::rounded(screw)), reach_(reach) {
-    size_ = reach.high() + length(motion::in_double(screw.origin)) + length(motion::in_double(screw.displacement)) +
-            length(motion::in_double(screw.moment));
+PieceOfBodies::PieceOfBodies(const FaceTree& moving, const FaceTree& fixed, CertifiedPiece piece,
+                             const DoubleDouble& reach)
+    : moving_(moving), fixed_(fixed), piece_(std::move(piece)), reach_(reach), size_(reach.high() + piece_.size) {
     for (const FaceTree* const tree : {&moving, &fixed})
         size_ += length(tree->corner(0, 0)) + tree->node(0).extent;
 }
@@ -88,9 +86,9 @@ Corner farthest(const FaceTree& tree, const FaceTree::Node& node, const Corner& 
 
 /// By Gilbert, Johnson and Keerthi's algorithm.
 PieceOfBodies::Gap PieceOfBodies::gap_at(const Node& a, const Node& b, double tau) const {
-    const Corner origin = rounded_.place({}, tau);
-    const Matrix3<double> columns{{rounded_.turned({1, 0, 0}, tau), rounded_.turned({0, 1, 0}, tau),
-                                   rounded_.turned({0, 0, 1}, tau)}}; // of the rotation
+    const Corner origin = piece_.rounded.place({}, tau);
+    const Matrix3<double> columns{{piece_.rounded.turned({1, 0, 0}, tau), piece_.rounded.turned({0, 1, 0}, tau),
+                                   piece_.rounded.turned({0, 0, 1}, tau)}}; // of the rotation
     const Matrix3<double> turn = columns.transposed();
     Corner way = turn * moving_.some_corner(a) + origin - fixed_.some_corner(b);
     Gap best{{1, 0, 0}, -std::numeric_limits<double>::infinity()};
@@ -113,10 +111,10 @@ PieceOfBodies::Gap PieceOfBodies::gap_at(const Node& a, const Node& b, double ta
 }
 
 template <class S>
-S PieceOfBodies::least_of(const PiecePolynomials<S>& polynomials, const Wide& normal, const Node& a, const Node& b,
+S PieceOfBodies::least_of(const PieceMotion<S>& motion, const Wide& normal, const Node& a, const Node& b,
                           const Cell& cell) const {
     const Vector3<S> n{S(normal.x), S(normal.y), S(normal.z)};
-    const Corner direction = motion::in_double(normal);
+    const Corner direction = chasles::motion::in_double(normal);
     const Corner sizes{std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
     const double slack = rounding * size_ * length(direction); // of the bounds
     S offset = fixed_.greatest(
@@ -125,7 +123,7 @@ S PieceOfBodies::least_of(const PiecePolynomials<S>& polynomials, const Wide& no
     if (reach_ > DoubleDouble(0))
         offset =
             offset + (length(n) + S(1)) * S(reach_); // the least integer that is no less than the length is below that
-    const PlaneForm<S> form = polynomials.against(n, offset, cell);
+    const PlaneForm<S> form = motion.against(n, offset, cell, {a.centre, length(a.half)});
     return S(0) - moving_.greatest(
                       a, [&](const Node& node) { return slack - form.least_in(node.centre, node.half); },
                       [&](const Corner& c) { return S(S(0) - form.least(c)); });
@@ -140,13 +138,13 @@ std::optional<IntegerNormal> PieceOfBodies::along(const Wide& direction, double 
     const double size = length(motion::in_double(wide));
     double slack = rounding * size_;
     if (bits <= 50) {
-        least = least_of(rounded_, wide, a, b, cell) / size;
+        least = least_of(piece_.rounded, wide, a, b, cell) / size;
         if (least > slack)
             return normal;
         if (least < -slack)
             return std::nullopt;
     }
-    least = least_of(refined_, wide, a, b, cell).high() / size;
+    least = least_of(piece_.refined, wide, a, b, cell).high() / size;
     return least > refined_rounding * size_ ? std::optional(normal) : std::nullopt;
 }
 
@@ -266,7 +264,7 @@ std::optional<IntegerNormal> PieceOfBodies::by_features(const Node& a, const Nod
         std::vector<Wide> first;
         const std::uint32_t face = moving_.first_face(a);
         for (std::size_t i = 0; i < moving_.body().face(face).size(); ++i)
-            first.push_back(refined_.place(moving_.corner(face, i), tau));
+            first.push_back(piece_.refined.place(moving_.corner(face, i), tau));
         std::size_t tries = 0;
         for (const Axis& axis : gaps_of(first, second, reach_ > DoubleDouble(0))) {
             const double gap = (DoubleDouble(axis.gap) - reach_).high();

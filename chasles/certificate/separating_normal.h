@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chasles/certificate/face_tree.h"
-#include "chasles/certificate/piece_polynomials.h"
+#include "chasles/certificate/piece_motion.h"
 
 #include <array>
 #include <optional>
@@ -23,18 +23,18 @@ struct NotSeparated {
     double loss = 0;     ///< how much of the gap along the best direction the motion takes away
 };
 
-/// Two bodies on a piece. All are kept by reference.
+/// Two bodies on a piece. They are kept by reference.
 class PieceOfBodies {
 public:
-    PieceOfBodies(const FaceTree& moving, const FaceTree& fixed, const motion::RationalMotion<DoubleDouble>& screw,
-                  const DoubleDouble& reach);
+    PieceOfBodies(const FaceTree& moving, const FaceTree& fixed, CertifiedPiece piece, const DoubleDouble& reach);
 
     using Node = FaceTree::Node;
     [[nodiscard]] const FaceTree& moving() const { return moving_; }
     [[nodiscard]] const FaceTree& fixed() const { return fixed_; }
-    [[nodiscard]] const PiecePolynomials<DoubleDouble>& polynomials() const { return refined_; }
+    [[nodiscard]] const PieceMotion<DoubleDouble>& motion() const { return piece_.refined; }
     [[nodiscard]] const DoubleDouble& reach() const { return reach_; }
     [[nodiscard]] double size() const { return size_; } ///< of all lengths that enter
+    [[nodiscard]] bool is_exact() const { return piece_.is_exact; }
 
     /// The direction along which two nodes are farthest apart at a tau, and how far; below 0 where they overlap.
     struct Gap {
@@ -50,14 +50,13 @@ private:
     [[nodiscard]] std::optional<IntegerNormal> along(const Wide& direction, double gap, const Node& a, const Node& b,
                                                      const Cell& cell, double& least) const;
     template <class S>
-    [[nodiscard]] S least_of(const PiecePolynomials<S>& polynomials, const Wide& normal, const Node& a, const Node& b,
+    [[nodiscard]] S least_of(const PieceMotion<S>& motion, const Wide& normal, const Node& a, const Node& b,
                              const Cell& cell) const;
     [[nodiscard]] std::optional<IntegerNormal> by_features(const Node& a, const Node& b, const Cell& cell) const;
 
     const FaceTree& moving_;
     const FaceTree& fixed_;
-    PiecePolynomials<DoubleDouble> refined_;
-    PiecePolynomials<double> rounded_;
+    CertifiedPiece piece_;
     DoubleDouble reach_;
     double size_;
 };

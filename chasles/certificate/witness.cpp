@@ -101,8 +101,7 @@ private:
         PlacedFace result{of_moving, face, {}};
         for (std::size_t i = 0; i < tree.body().face(face).size(); ++i) {
             const Corner corner = tree.corner(face, i);
-            result.corners.push_back(of_moving ? piece_.polynomials().place(corner, DoubleDouble(tau_))
-                                               : widened(corner));
+            result.corners.push_back(of_moving ? piece_.motion().place(corner, DoubleDouble(tau_)) : widened(corner));
         }
         return result;
     }
@@ -125,7 +124,7 @@ private:
     }
     template <class Words>
     void take(double depth, const Words& words) {
-        if (depth < -unknown * piece_.size() || (best_ && depth <= depth_))
+        if (depth < (piece_.is_exact() ? -unknown : unknown) * piece_.size() || (best_ && depth <= depth_))
             return;
         depth_ = depth;
         best_ = words();
@@ -291,7 +290,7 @@ std::optional<Ray> ray_from(const PieceOfBodies& piece, bool from_moving, std::s
     const FaceTree &own = from_moving ? piece.moving() : piece.fixed(),
                    &other = from_moving ? piece.fixed() : piece.moving();
     const auto place = [&](bool is_moving, const Corner& c) {
-        return is_moving ? motion::in_double(piece.polynomials().place(c, start)) : c;
+        return is_moving ? motion::in_double(piece.motion().place(c, start)) : c;
     };
     Outlines faces;
     for (std::size_t f = 0; f < other.body().face_count(); ++f) {
@@ -306,7 +305,7 @@ std::optional<Ray> ray_from(const PieceOfBodies& piece, bool from_moving, std::s
     for (int attempt = 0; attempt < 100; ++attempt) {
         const Corner integers{component(), component(), component()};
         const Corner direction =
-            from_moving ? integers : motion::in_double(piece.polynomials().turned(widened(integers), start));
+            from_moving ? integers : motion::in_double(piece.motion().turned(widened(integers), start));
         if (const std::optional<int> winding = winding_of(faces, from, direction, piece.size())) {
             std::string words = from_moving ? "moving" : "fixed";
             for (const std::size_t number : {face, corner})

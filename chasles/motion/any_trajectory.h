@@ -2,7 +2,7 @@
 // the library.
 #pragma once
 
-#include "chasles/motion/motion_ends.h"
+#include "chasles/motion/motion_description.h"
 #include "chasles/motion/moving_frame.h"
 #include "chasles/motion/trajectory.h"
 
@@ -61,6 +61,7 @@ public:
     [[nodiscard]] virtual SharedTrajectory with_goal(const Pose& goal_in_world) const = 0;
     /// The motion back; null for the paper's screw.
     [[nodiscard]] virtual SharedTrajectory reversed() const = 0;
+    [[nodiscard]] virtual MotionDescription description() const = 0;
 };
 
 /// A piece of a known type as AnyPiece.
@@ -144,6 +145,7 @@ public:
             return nullptr;
     }
     [[nodiscard]] SharedTrajectory reversed() const override { return trajectory_.reversed(); }
+    [[nodiscard]] MotionDescription description() const override { return trajectory_.description(); }
 
 private:
     using TypedPieces = decltype(std::declval<const T&>().pieces());

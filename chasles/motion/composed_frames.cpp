@@ -2,6 +2,7 @@
 #include "chasles/motion/axis_motion.h"
 #include "chasles/motion/frame_in_both.h"
 #include "chasles/motion/frames.h"
+#include "chasles/motion/motion_description.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -98,6 +99,10 @@ public:
         std::vector<AxisSection> outer = first().axis_sections();
         return outer.empty() ? outer : product_of(outer, second().axis_sections());
     }
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        const MovingFrame &outer = is_inverse ? second() : first(), &inner = is_inverse ? first() : second();
+        return outer.add_links(chain, is_inverse) && inner.add_links(chain, is_inverse);
+    }
 };
 
 class RelativeFrame final : public FrameOfTwo<RelativeFrame> {
@@ -125,6 +130,10 @@ public:
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> moving = first().axis_sections();
         return moving.empty() ? moving : product_of(inverse_of(second().axis_sections()), moving);
+    }
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        const MovingFrame &outer = is_inverse ? first() : second(), &inner = is_inverse ? second() : first();
+        return outer.add_links(chain, true) && inner.add_links(chain, false);
     }
 };
 
@@ -176,6 +185,22 @@ public:
             all.push_back({{ends_[i], ends_[i + 1]}, std::move(sections.front().motion)});
         }
         return all;
+    }
+    /// Only of frames that are one link each.
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        ChainLink all;
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            ChainLinks part;
+            if (!frames_[i]->add_links(part, is_inverse) || part.links().size() != 1 ||
+                part.links()[0].poses.size() != 2)
+                return false;
+            const ChainLink& link = part.links()[0];
+            if (i == 0)
+                all = link;
+            else
+                all.poses.push_back(link.poses[1]);
+        }
+        return chain.add(std::move(all), ends_);
     }
 
 private:

@@ -242,6 +242,12 @@ SharedFrame twist_frame(const Pose& start, const Pose& goal) {
     return std::make_shared<const EvenFrame>(EvenKind::twist, start, goal, Eigen::Vector3d::Zero(), false);
 }
 
+bool EvenFrame::add_links(ChainLinks& chain, bool is_inverse) const {
+    using enum ChainLink::Kind;
+    const ChainLink::Kind kind = kind_ == EvenKind::velocity ? velocity : twist;
+    return chain.add({kind, is_inverse, centre_, {start_, goal_}, {}}, {0, 1});
+}
+
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
     : ends_(ends), centre_(checked_centre(centre)), kind_(kind) {}
 

@@ -70,6 +70,8 @@ public:
     }
     [[nodiscard]] double size() const override { return motion_.size; }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override;
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override;
+    [[nodiscard]] const EvenMotion<Wide>& refined() const;
 
 private:
     /// The turn and the displacement of the body's origin from the start to the goal, without rounding.
@@ -78,7 +80,6 @@ private:
         Vector3<algebra::ExactNumber> shift;
     };
 
-    [[nodiscard]] const EvenMotion<Wide>& refined() const;
     [[nodiscard]] std::optional<ScaledVector> resting_point(const ExactTurn& turn) const;
     /// An end as it was given. Ends are asked for most often, and need no sine.
     [[nodiscard]] GeneralPose<double> at_end(bool is_goal) const;
@@ -121,6 +122,7 @@ public:
     [[nodiscard]] static Pose fixed_pose_at(double /*time*/) { return {}; }
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
     [[nodiscard]] SharedTrajectory reversed() const;
+    [[nodiscard]] MotionDescription description() const { return MotionDescription::of_frame(*frame()); }
 
 private:
     [[nodiscard]] EvenMotion<double> numbers() const;

@@ -4,6 +4,7 @@
 #include "chasles/motion/axis_motion.h"
 #include "chasles/motion/fixed_pose.h"
 #include "chasles/motion/frame_in_both.h"
+#include "chasles/motion/motion_description.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -22,6 +23,17 @@ Vector3<Wide> origin() {
 
 ScaledVector exact_vector(const Eigen::Vector3d& v) {
     return {vector_in<algebra::ExactNumber>(v)};
+}
+
+/// Of a polynomial that changes evenly, if they are doubles.
+std::optional<std::vector<double>> values_at_ends(const TimePolynomial& polynomial) {
+    std::vector<double> values;
+    for (const Wide& value : {polynomial.at(Wide(0.0)), polynomial.at(Wide(1.0))}) {
+        if (!polynomial.is_straight() || value.low() != 0)
+            return std::nullopt;
+        values.push_back(value.high());
+    }
+    return values;
 }
 
 class RestFrame final : public FrameInBoth<RestFrame> {
@@ -47,6 +59,10 @@ public:
         AxisMotion motion;
         motion.base = ExactPose(given_);
         return {{{0, 1}, motion}};
+    }
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        chain.add(given_, is_inverse);
+        return true;
     }
 
 private:
@@ -99,6 +115,16 @@ public:
         motion.value = angle_;
         return {{{0, 1}, motion}};
     }
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        const std::optional<std::vector<double>> angles = values_at_ends(angle_);
+        if (!given_ || !angles)
+            return false;
+        const Eigen::Vector3d point(point_in_double_.x, point_in_double_.y, point_in_double_.z);
+        chain.add({point, Eigen::Quaterniond::Identity()}, false);
+        const bool fits = chain.add({ChainLink::Kind::turn, is_inverse, *given_, {}, *angles}, {0, 1});
+        chain.add({-point, Eigen::Quaterniond::Identity()}, false);
+        return fits;
+    }
     /// The rounding of the angle, too, which may be many turns.
     [[nodiscard]] double rounding() const override { return 1 + angle_.rounding() * angle_.size(); }
 
@@ -124,7 +150,8 @@ public:
     explicit PathFrame(std::array<TimePolynomial, 3> place) : place_(std::move(place)) {}
     /// Along a direction.
     PathFrame(const Eigen::Vector3d& direction, const TimePolynomial& way)
-        : place_{scaled(way, direction.x()), scaled(way, direction.y()), scaled(way, direction.z())} {
+        : place_{scaled(way, direction.x()), scaled(way, direction.y()), scaled(way, direction.z())},
+          given_(direction) {
         line_.kind = way.is_constant() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
         line_.direction = exact_vector(direction);
         line_.value = way;
@@ -175,6 +202,21 @@ public:
         return {{{0, 1}, motion}};
     }
 
+    [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
+        ChainLink slide{.kind = ChainLink::Kind::slide, .is_inverse = is_inverse, .poses = {}, .values = {0, 1}};
+        if (given_) {
+            slide.vector = *given_;
+            slide.values = values_at_ends(line_.value).value_or(std::vector<double>());
+        } else {
+            const std::optional<Eigen::Vector3d> place = coefficient(0), way = coefficient(1);
+            if (!std::ranges::all_of(place_, &TimePolynomial::is_straight) || !place || !way)
+                return false;
+            chain.add({*place, Eigen::Quaterniond::Identity()}, is_inverse);
+            slide.vector = *way;
+        }
+        return !slide.values.empty() && chain.add(std::move(slide), {0, 1});
+    }
+
 private:
     static TimePolynomial scaled(const TimePolynomial& way, double factor) {
         std::vector<Wide> coefficients;
@@ -197,7 +239,8 @@ private:
     }
 
     std::array<TimePolynomial, 3> place_;
-    AxisMotion line_; ///< at rest where no direction was given, or no way
+    std::optional<Eigen::Vector3d> given_; ///< along which the way is, if it is along one direction
+    AxisMotion line_;                      ///< at rest where no direction was given, or no way
 };
 
 } // namespace

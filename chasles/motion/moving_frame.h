@@ -12,6 +12,7 @@
 namespace chasles::motion {
 
 struct AxisSection;
+class ChainLinks;
 
 /// Poses at any time in [0, 1], and bounds of their rates. A base class, because frames are composed at run time.
 class MovingFrame {
@@ -48,6 +49,8 @@ public:
     /// The frame as motions about or along one axis each, in order of time from 0 to 1. Empty if it is no such motion,
     /// or is not known to be one.
     [[nodiscard]] virtual std::vector<AxisSection> axis_sections() const;
+    /// Adds the links that the frame, or its inverse, is made of. False if it is not made of links.
+    [[nodiscard]] virtual bool add_links(ChainLinks& /*chain*/, bool /*is_inverse*/) const { return false; }
 };
 
 /// The middle of an interval, and half of its duration.

@@ -115,4 +115,12 @@ ScrewClock ScrewTrajectory::clock() const {
     return {ends.start, ends.goal};
 }
 
+MotionDescription ScrewTrajectory::description() const {
+    MotionDescription description{.kind = MotionDescription::Kind::screw, .pieces = {}, .chain = {}};
+    const ScrewPieces all = pieces();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        description.pieces.push_back(all.ends_of(i));
+    return description;
+}
+
 } // namespace chasles::motion

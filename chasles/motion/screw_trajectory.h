@@ -85,6 +85,7 @@ public:
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
     /// None: it slides unevenly, so that the way back is no screw.
     [[nodiscard]] static SharedTrajectory reversed() { return nullptr; }
+    [[nodiscard]] MotionDescription description() const;
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] double max_turn() const { return max_turn_; }

@@ -152,6 +152,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
     [[nodiscard]] SharedTrajectory reversed() const;
+    [[nodiscard]] MotionDescription description() const { return MotionDescription::of_frame(*motion_.relative); }
 
     [[nodiscard]] double size() const { return motion_.relative->size(); }
     [[nodiscard]] SharedFrame frame() const { return motion_.fixed ? nullptr : motion_.moving; }

@@ -59,6 +59,9 @@ public:
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
     [[nodiscard]] SharedTrajectory with_goal(const Pose& goal_in_world) const;
     [[nodiscard]] SharedTrajectory reversed() const;
+    [[nodiscard]] MotionDescription description() const {
+        return {.kind = MotionDescription::Kind::sweep, .pieces = {ends_}, .centre = centre_, .chain = {}};
+    }
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }

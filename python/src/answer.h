@@ -19,12 +19,15 @@ struct Answer {
     nanobind::object fixed;
     TypedMotion motion;
     double margin;
+    std::optional<double> hold = {};
     bool is_swapped = false; ///< the bodies have swapped their roles since the query; the motion has not changed
 };
 
 struct PathAnswer : Answer {
     std::size_t segment = 0;
-    bool is_last_segment = true;
+    std::vector<Motion> path = {}; ///< all segments
+
+    [[nodiscard]] bool is_last_segment() const { return segment + 1 == path.size(); }
 };
 
 struct LeastAnswer {
@@ -50,6 +53,7 @@ void for_each_reference(AnyAnswer& answer, const Visit& visit) {
 
 /// The text of a certificate. Throws InvalidInput where it cannot be made.
 std::string certificate_of(const Answer& answer);
+std::string certificate_of_path(const PathAnswer& answer);
 
 /// "clear until 0.5", or "clear at the start" where nothing else was asked.
 std::string clear_until_text(double until);

@@ -68,8 +68,9 @@ void bind_first_contact(nb::module_& module) {
             "clear_until", [](const Answer& a) { return a.found.clear_until; }, doc("FirstContact.clear_until"))
         .def_ro("margin", &Answer::margin, "The margin of the query.")
         .def("certificate", certificate_of,
-             "A proof of the answer, as text that programs of others can check (docs/certificate.md): of the paper's "
-             "screw, against a body at rest. It is found anew, beside the search.\n\nReturns\n-------\nstr\n\nRaises\n"
+             "A proof of the answer, as text that programs of others can check (docs/certificate.md). Motions are "
+             "screws, sweeps, velocities, twists, even hinges and sliders, `TimedPoses`, and products of these; one or "
+             "both bodies move. It is found anew, beside the search.\n\nReturns\n-------\nstr\n\nRaises\n"
              "------\nInvalidInput\n    For what cannot be certified, or is not proven: with the reason.")
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
 }
@@ -81,7 +82,7 @@ std::string summary_of_path(const PathAnswer& a) {
         return fmt::format("unknown: the limit was reached; proven clear until {} in segment {}", a.found.clear_until,
                            a.segment);
     return (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +
-           summary(a.found, "", view::why_uncertain(a.found, a.is_last_segment));
+           summary(a.found, "", view::why_uncertain(a.found, a.is_last_segment()));
 }
 
 } // namespace
@@ -90,6 +91,7 @@ void bind_answers(nb::module_& module) {
     bind_first_contact(module);
     nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"), collected<PathAnswer>())
         .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))
+        .def("certificate", certificate_of_path, "As `FirstContact.certificate`, for all segments of the path.")
         .def("swapped", swapped<PathAnswer>, doc("FirstContact.swapped"))
         .def("__repr__", [](const PathAnswer& a) { return "<chasles.PathContact: " + summary_of_path(a) + ">"; });
 }

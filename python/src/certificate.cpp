@@ -15,7 +15,9 @@ namespace chasles::python {
 
 namespace nb = nanobind;
 
-std::string certificate_of(const Answer& answer) {
+namespace {
+
+std::string certificate_along(const Answer& answer, std::vector<Motion> path) {
     if (answer.is_swapped)
         throw InvalidInput("certificate: the bodies of this answer have swapped their roles; ask the answer before");
     const Polyhedron& moving = polyhedron_of(answer.moving, "moving");
@@ -24,13 +26,24 @@ std::string certificate_of(const Answer& answer) {
     const EndsBySignals ends_by_signals;
     QueryOptions options;
     options.margin = answer.margin;
-    const Certificate certificate = certify({moving, fixed, plain(answer.motion), options});
+    options.hold = answer.hold;
+    const Certificate certificate = certify(PathQuery{moving, fixed, std::move(path), options});
     if (!certificate.missing.empty())
         throw InvalidInput("certificate: " + certificate.missing);
     return certificate.text;
 }
 
-namespace {
+/// A motion, or a list of those of a path.
+std::vector<Motion> path_from(nb::handle motion) {
+    std::vector<Motion> path;
+    if (!nb::isinstance<nb::list>(motion) && !nb::isinstance<nb::tuple>(motion))
+        return {plain(given_motion(motion))};
+    for (const nb::handle segment : motion)
+        path.push_back(plain(given_motion(segment)));
+    if (path.empty())
+        throw InvalidInput("motion: the path has no motion");
+    return path;
+}
 
 ::certificate::Mesh mesh_of(const Polyhedron& body) {
     ::certificate::Mesh mesh;
@@ -47,9 +60,9 @@ namespace {
 std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const std::string& text) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
-    const TypedMotion typed = given_motion(motion);
+    const std::vector<Motion> path = path_from(motion);
     const WithoutGil without_gil;
-    if (!is_about(text, plain(typed)))
+    if (!is_about(text, path))
         throw InvalidInput("verify: the certificate is about another motion");
     std::istringstream stream(text);
     const ::certificate::Verified verified = ::certificate::verify(mesh_of(moving_body), mesh_of(fixed_body), stream);
@@ -60,6 +73,14 @@ std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const
 
 } // namespace
 
+std::string certificate_of(const Answer& answer) {
+    return certificate_along(answer, {plain(answer.motion)});
+}
+
+std::string certificate_of_path(const PathAnswer& answer) {
+    return certificate_along(answer, answer.path);
+}
+
 void bind_certificate(nb::module_& module) {
     using namespace nb::literals;
     module.def(
@@ -67,7 +88,8 @@ void bind_certificate(nb::module_& module) {
         "Does a certificate prove what it claims? In exact numbers, by the checker that shares nothing with the "
         "search.\n\n"
         "Parameters\n----------\nmoving, fixed : Polyhedron\n    The bodies that it has to be about.\n"
-        "motion : ScrewMotion\n    The motion that it has to be about.\ncertificate : str\n    What "
+        "motion : Motion, or list of Motion\n    That it has to be about; of a path the motions of its "
+        "segments.\ncertificate : str\n    What "
         "`FirstContact.certificate()` gave, or the text of a file of `chasles check --certificate`.\n\n"
         "Returns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it "
         "proves less, is about another motion or other bodies, or is damaged: with the reason.\n\n"

@@ -65,7 +65,8 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
                   nb::borrow(moving),
                   nb::borrow(fixed),
                   motion_from({start, goal, motion, fixed_start, fixed_goal, max_turn}),
-                  margin};
+                  margin,
+                  hold};
     const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
     const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
@@ -86,7 +87,7 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
         motions[i] = plain(segment(i));
     const PathQuery query{.moving = moving_body,
                           .fixed = fixed_body,
-                          .motions = std::move(motions),
+                          .motions = motions,
                           .options = {margin, hold, time_tolerance, find_from(find)}};
     PathContact answer;
     {
@@ -94,10 +95,9 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
         const EndsBySignals ends_by_signals;
         answer = first_contact_on_path(query);
     }
-    const bool is_last = answer.segment + 2 == path.size();
-    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment(answer.segment), margin},
+    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment(answer.segment), margin, hold},
             answer.segment,
-            is_last};
+            std::move(motions)};
 }
 
 std::string first_contact_doc() {

@@ -4,42 +4,16 @@
 #include "chasles/base/limit.h"
 #include "chasles/base/sha256.h"
 #include "chasles/mesh/primitives.h"
-#include "tests/query/bodies.h"
+#include "tests/certificate/checked.h"
 #include "tests/support/grid.h"
-#include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
-#include "tools/verify.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
-#include <sstream>
 
 namespace chasles::test {
 namespace {
-
-::certificate::Mesh mesh_of(const Polyhedron& body) {
-    ::certificate::Mesh mesh;
-    for (std::size_t face = 0; face < body.face_count(); ++face) {
-        mesh.emplace_back();
-        for (const std::uint32_t vertex : body.face(face)) {
-            const Eigen::Vector3d& corner = body.vertices()[vertex];
-            mesh.back().push_back({corner.x(), corner.y(), corner.z()});
-        }
-    }
-    return mesh;
-}
-
-::certificate::Verified checked(const Polyhedron& moving, const Polyhedron& fixed, const std::string& text) {
-    std::istringstream stream(text);
-    return ::certificate::verify(mesh_of(moving), mesh_of(fixed), stream);
-}
-
-std::string word_of(Verdict verdict) {
-    return verdict == Verdict::clear     ? "verdict clear\n"
-           : verdict == Verdict::contact ? "verdict contact "
-                                         : "verdict start\n";
-}
 
 TEST(Sha256, HasTheValuesOfItsStandard) {
     const auto digest = [](const std::string& text) {
@@ -55,19 +29,7 @@ TEST(Sha256, HasTheValuesOfItsStandard) {
 
 class Certificates : public ::testing::Test {
 protected:
-    [[nodiscard]] Polyhedron random_body() {
-        const double radius = random_.chance(0.3) ? random_.uniform(0, 0.3) : 0;
-        PolyhedronOptions options;
-        options.radius = radius;
-        options.solid = random_.chance(0.3) ? Solid::no : Solid::automatic;
-        Body body = random_.chance(0.5)
-                        ? random_octahedron(shapes_)
-                        : box({random_.uniform(0.1, 1), random_.uniform(0.1, 1), random_.uniform(0.1, 1)});
-        const double size = random_.chance(0.3) ? 0.1 : random_.chance(0.3) ? 3 : 1;
-        for (Eigen::Vector3d& vertex : body.vertices)
-            vertex *= size;
-        return Polyhedron::from_polygons(body.vertices, body.faces, options);
-    }
+    [[nodiscard]] Polyhedron random_body() { return bodies_(random_); }
     [[nodiscard]] FirstContactQuery random_query() {
         const Pose start = random_pose(random_, 2);
         const Pose goal = random_goal(random_, start, random_.uniform(0, 3), 2);
@@ -77,7 +39,7 @@ protected:
     }
 
     Random random_{4747};
-    std::mt19937 shapes_{4747};
+    RandomBodies bodies_;
 };
 
 TEST_F(Certificates, OfRandomQuestionsAreVerified) {
@@ -195,10 +157,13 @@ TEST_F(Certificates, RefuseWhatTheyCannotSay) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     const Pose start = shifted(3, 0, 0), goal = shifted(2, 0, 0);
     const auto why = [](const FirstContactQuery& query) { return refusal([&] { static_cast<void>(certify(query)); }); };
-    EXPECT_EQ(why({cube, cube, SweepMotion::between(start, goal)}),
-              "certificate: only the motions that are the paper's screw are certified so far");
-    EXPECT_EQ(why({cube, cube, ScrewMotion::relative(start, goal, start, goal)}),
-              "certificate: the fixed body moves, too; only motions against a body at rest are certified so far");
+    EXPECT_EQ(why({cube, cube, Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, 0, 1})}),
+              "certificate: the motion is none of those that are certified: screws, sweeps, and products of poses, "
+              "velocities, twists, hinges and sliders that move evenly between the same times");
+    const Pose half_turned(goal.translation, Eigen::Quaterniond(0, 1, 0, 0));
+    EXPECT_EQ(why({cube, cube, SweepMotion::between(start, half_turned)}), "certificate: the sweep is a half turn");
+    EXPECT_EQ(why({cube, cube, ConstantVelocity::between(start, half_turned)}),
+              "certificate: piece 0 is a half turn, which has no shorter way round");
     EXPECT_NE(why({cube.with_radius(-0.1), cube, ScrewMotion::between(start, goal)}).find("moved inwards"),
               std::string::npos);
     QueryOptions hold;

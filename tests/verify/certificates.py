@@ -1,4 +1,5 @@
 """A small naive prover of certificates, and cases. Only pytest and the standard library are needed."""
+import functools
 import hashlib
 import math
 from pathlib import Path
@@ -60,13 +61,23 @@ def product_of(p, q):
 
 
 def rotate(q, p):
-    result = product_of(product_of(q, (Q(0), *p)), (q[0], -q[1], -q[2], -q[3]))
+    result = product_of(product_of(q, (0, *p)), (q[0], -q[1], -q[2], -q[3]))
     return times(1 / dot(q, q), result[1:])
+
+
+def inverse(q): return times(1 / dot(q, q), (q[0], -q[1], -q[2], -q[3]))
+
+
+def seen(pose):
+    """A pose of seven or fourteen numbers in the frame of the fixed body."""
+    t, q, tf, qf = (tuple(map(Q, part)) for part in (pose[:3], pose[3:7], pose[7:10], pose[10:]))
+    if not qf: return t, q
+    return rotate(inverse(qf), add(t, times(-1, tf))), product_of(inverse(qf), q)
 
 
 class Motion:
     def __init__(self, start, end):
-        start, end = [Q(x) for x in start], [Q(x) for x in end]
+        start, end = ([*t, *q] for t, q in map(seen, (start, end)))
         self.t0, self.q0, t1, q1 = start[:3], start[3:], end[:3], end[3:]
         w, *v = product_of(q1, times(1 / dot(self.q0, self.q0), (self.q0[0], *times(-1, self.q0[1:]))))
         q = add(t1, times(-1, self.t0))
@@ -88,6 +99,111 @@ def at(powers, tau):
     return times(1 / sum(w * tau ** k for k, w in enumerate(ws)), add(*(times(tau ** k, p) for k, p in enumerate(ps))))
 
 
+def root_of(x, bits=400):
+    """A fraction close to the square root."""
+    return Q(math.isqrt((x.numerator << 2 * bits) // x.denominator), 1 << bits)
+
+
+class Sweep:
+    def __init__(self, start, end, centre):
+        (self.t0, self.q0), (t1, q1) = map(seen, (start, end))
+        w, *v = product_of(q1, inverse(self.q0))
+        self.w, self.v = (w, v) if w > 0 else (-w, times(-1, v))
+        self.centre = tuple(map(Q, centre))
+        self.n = root_of(w * w + dot(v, v))
+        self.c0 = add(self.t0, rotate(self.q0, self.centre))
+        self.way = add(t1, rotate(q1, self.centre), times(-1, self.c0))
+
+    def powers(self, b):
+        y = rotate(self.q0, add(map(Q, b), times(-1, self.centre)))
+        e = [self.n, self.w - self.n]
+        w = [e[0] ** 2, 2 * e[0] * e[1], e[1] ** 2 + dot(self.v, self.v)]
+        vy = cross(self.v, y)
+        base = add(self.c0, y)
+        return ([times(w[0], base), add(times(w[1], base), times(w[0], self.way), times(2 * e[0], vy)),
+                 add(times(w[2], base), times(w[1], self.way), times(2 * e[1], vy), times(2, cross(self.v, vy))),
+                 times(w[2], self.way)], [*w, 0])
+
+
+def turn(k, angle, x):
+    """The rotation of x about the unit vector k (Rodrigues)."""
+    c, s = math.cos(angle), math.sin(angle)
+    return add(times(c, x), times(s, cross(k, x)), times((1 - c) * dot(k, x), k))
+
+
+def length(x): return math.sqrt(dot(x, x))
+
+
+class Chain:
+    """In floating point, corner by corner. Links are tuples: a kind, perhaps with 'back ', and numbers."""
+    SIZES = {"pose": 0, "slide": 1, "turn": 1, "velocity": 7, "twist": 7}
+
+    def __init__(self, start, end, links):
+        self.links, start, end = [], list(start), list(end)
+        for word, *numbers in links:
+            back, kind = word.startswith("back "), word.removeprefix("back ")
+            size = self.SIZES[kind]
+            self.links.append((back, *self.link(kind, numbers, start[:size], end[:size])))
+            del start[:size], end[:size]
+        assert not start and not end
+
+    @staticmethod
+    def link(kind, numbers, s, e):
+        """A0, V, k, theta0, omega, the function R, B"""
+        zero, same = (0, 0, 0), lambda x, back=False: x
+        if kind == "pose":
+            return numbers[:3], zero, None, 0, 0, Chain.rotation(numbers[3:]), zero
+        if kind == "slide": return times(s[0], numbers), times(e[0] - s[0], numbers), None, 0, 0, same, zero
+        if kind == "turn": return zero, zero, times(1 / length(numbers), numbers), s[0], e[0] - s[0], same, zero
+        t0, q0, t1, q1 = s[:3], s[3:], e[:3], e[3:]
+        w, *v = product_of(q1, inverse(q0))
+        if w < 0: w, v = -w, times(-1, v)
+        k, omega = (times(1 / length(v), v), 2 * math.atan2(length(v), w)) if any(v) else (None, 0)
+        q = add(t1, times(-1, t0))
+        if kind == "velocity":
+            c0, c1 = (add(t, rotate(x, numbers)) for t, x in ((t0, q0), (t1, q1)))
+            return c0, add(c1, times(-1, c0)), k, 0, omega, Chain.rotation(q0), times(-1, rotate(q0, numbers))
+        along, c = q, zero
+        if k:
+            a = times(1 / w, v)
+            along = times(dot(v, q) / dot(v, v), v)
+            across = add(q, times(-1, along))
+            c = times(0.5, add(across, times(1 / dot(a, a), cross(a, across))))
+        return add(t0, c), along, k, 0, omega, Chain.rotation(q0), times(-1, c)
+
+    @staticmethod
+    def rotation(q): return lambda x, back=False: rotate(inverse(q) if back else q, x)
+
+    def bound(self, b, middle, half):
+        """The place, its rate, and a bound of the second derivative in the cell."""
+        x, rate, g = b, (0, 0, 0), 0
+        for back, a, v, k, theta, omega, rotated, shift in reversed(self.links):
+            a = add(a, times(middle, v))
+            s = (lambda x, sign=1: turn(k, sign * (theta + middle * omega), x)) if k else (lambda x, sign=1: x)
+            spin = times(omega, k) if k else (0, 0, 0)
+            if back: y, yy = add(x, times(-1, a)), add(rate, times(-1, v))
+            else: y, yy = add(rotated(x), shift), rotated(rate)
+            f = length(yy) + half * g
+            r = length(y) + half * f
+            if back:
+                x = rotated(add(s(y, -1), times(-1, shift)), True)
+                rate = rotated(s(add(yy, times(-1, cross(spin, y))), -1), True)
+            else: x, rate = add(a, s(y)), add(v, s(add(yy, cross(spin, y))))
+            g += 2 * abs(omega) * f + omega ** 2 * r
+        return x, rate, g
+
+    def at(self, b, tau): return self.bound(b, tau, 0)[0]
+
+    def separates(self, n, points, corners, reach, l, u):
+        s = math.isqrt(dot(n, n))
+        s += s * s < dot(n, n)
+        d, half = float(max(dot(n, c) for c in corners) + s * reach), float(u - l) / 2
+        for b in points:
+            x, rate, g = self.bound(b, float(l + u) / 2, half)
+            if dot(n, x) - half * abs(dot(n, rate)) - s * g * half ** 2 / 2 <= d + 1e-12 * s: return False
+        return True
+
+
 NORMALS = [n for n in product((-2, -1, 0, 1, 2), repeat=3) if math.gcd(*n) == 1]
 
 
@@ -103,21 +219,31 @@ def separates(n, powers, corners, reach, l, u):
     return True
 
 
-def prove(moving, fixed, start, end, upper, reach):
+def motion_of(start, end, kind):
+    """Functions: what separates() needs for corners, and the place of a corner."""
+    if kind[0] == "chain":
+        chain = Chain(start, end, kind[1])
+        return chain.separates, lambda b, tau: chain.at(b, float(tau))
+    motion = Sweep(start, end, kind[1]) if kind[0] == "sweep" else Motion(start, end)
+    powers = functools.lru_cache(maxsize=None)(motion.powers)
+    return (lambda n, points, *rest: separates(n, [powers(b) for b in points], *rest),
+            lambda b, tau: at(powers(b), tau))
+
+
+def prove(moving, fixed, start, end, upper, reach, kind=("screw",)):
     """Steps that prove that the bodies are apart from 0 to upper, or None."""
-    motion = Motion(start, end)
-    powers = {p: motion.powers(p) for face in moving for p in face}
+    apart, place = motion_of(start, end, kind)
     fixed = [[tuple(map(Q, p)) for p in face] for face in fixed]
 
     def steps(a, b, l, u, depth):
         middle = (l + u) / 2
-        near = [powers[p] for p in {p for f in a for p in moving[f]}]
+        near = {p for f in a for p in moving[f]}
         corners = {p for f in b for p in fixed[f]}
-        way = add(*(at(powers[p], middle) for p in moving[a[0]]), *(times(-1, p) for p in fixed[b[0]]))
+        way = add(*(place(p, middle) for p in moving[a[0]]), *(times(-1, p) for p in fixed[b[0]]))
         way = tuple(map(float, way))
         best = sorted(NORMALS, key=lambda n: -dot(n, way) / math.sqrt(dot(n, n)))
         for n in [n for n in best[:60] if dot(n, n) == 1] + best[:8]:
-            if separates(n, near, corners, Q(reach), l, u): return ["P %d %d %d" % n]
+            if apart(n, near, corners, Q(reach), l, u): return ["P %d %d %d" % n]
         if depth > 15: return None
         h, k = len(a) // 2, len(b) // 2
         if k and (len(b) < 12 or depth):
@@ -136,12 +262,19 @@ def prove(moving, fixed, start, end, upper, reach):
 START, WALL = (0, 0, 0, 1, 0, 0, 0), box((2, -3, -3), (3, 3, 3))
 
 
-def certify(moving, fixed, poses, verdict="clear", solid="none", radius=(0, 0), margin=0, outside=(), witness=None):
-    """The text of a certificate, with a proof in the plain order of the faces."""
+def hexes(numbers): return " ".join(float(x).hex() for x in numbers)
+
+
+def certify(moving, fixed, poses, verdict="clear", solid="none", radius=(0, 0), margin=0, outside=(), witness=None,
+            kind=("screw",), steps=None):
+    """The text of a certificate, with a proof in the plain order of the faces; kind may be ("sweep", the centre) or
+    ("chain", the links)."""
     lines = ["chasles certificate 1", f"moving {digest(moving)} {len(moving)}", f"fixed {digest(fixed)} {len(fixed)}",
              f"solid {solid}", "radius " + " ".join(float(x).hex() for x in radius), f"margin {float(margin).hex()}",
-             f"motion screw {len(poses) - 1}"]
-    lines += ["pose " + " ".join(float(x).hex() for x in pose) for pose in poses]
+             f"motion {kind[0]} {len(poses) - 1}" + (f" {len(kind[1])}" if kind[0] == "chain" else "")]
+    if kind[0] == "sweep": lines.append("centre " + hexes(kind[1]))
+    if kind[0] == "chain": lines += [f"link {word} {hexes(numbers)}".rstrip() for word, *numbers in kind[1]]
+    lines += [f"{'knot' if kind[0] == 'chain' else 'pose'} {hexes(pose)}".rstrip() for pose in poses]
     last, upper, text = len(poses) - 2, 1, verdict
     if isinstance(verdict, tuple):
         _, last, upper, end = verdict
@@ -151,9 +284,10 @@ def certify(moving, fixed, poses, verdict="clear", solid="none", radius=(0, 0), 
         lines += ["order moving " + " ".join(map(str, range(len(moving)))),
                   "order fixed " + " ".join(map(str, range(len(fixed)))), *outside]
         for i in range(last + 1):
-            steps = prove(moving, fixed, *poses[i:i + 2], upper if i == last else 1, sum(map(Q, (*radius, margin))))
-            assert steps, "the naive prover fails"
-            lines += [f"proof {i}", *steps]
+            found = steps[i] if steps else prove(moving, fixed, *poses[i:i + 2], upper if i == last else 1,
+                                                 sum(map(Q, (*radius, margin))), kind)
+            assert found, "the naive prover fails"
+            lines += [f"proof {i}", *found]
     if witness: lines.append(f"witness {witness}")
     return "\n".join(lines) + "\n"
 

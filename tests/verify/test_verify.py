@@ -17,7 +17,7 @@ def test_true(check, name):
     lines = answer.splitlines()
     assert lines[0] == "verified"
     assert lines[1].startswith("verdict: " + (verdict if isinstance(verdict, str) else "contact in piece"))
-    names = ["verdict", "margin", "radii", "first pose", "last pose", "solid", "pieces", "steps"]
+    names = ["verdict", "margin", "radii", "motion", "first pose", "last pose", "solid", "pieces", "steps"]
     assert [line.split(":")[0] for line in lines[1:]] == names
     assert lines[-1] == f"steps: {sum(line.split()[0] in ('T', 'A', 'B', 'P') for line in text.splitlines())}"
 
@@ -25,7 +25,7 @@ def test_true(check, name):
 def test_what_is_printed(check):
     status, answer = check(*case("meets its reach"))
     assert answer == ("verified\nverdict: contact in piece 0, not up to tau 0.24999999999999997, but up to tau 0.25\n"
-                      "margin: 0.125\nradii: 0.25 0.125\nfirst pose: 0.0 0.0 0.0 1.0 0.0 0.0 0.0\n"
+                      "margin: 0.125\nradii: 0.25 0.125\nmotion: screw\nfirst pose: 0.0 0.0 0.0 1.0 0.0 0.0 0.0\n"
                       "last pose: 2.0 0.0 0.0 1.0 0.0 0.0 0.0\nsolid: none\npieces: 1\nsteps: 1")
 
 

@@ -1,0 +1,217 @@
+#include "chasles/certificate/piece_motion.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/certificate/hexadecimal.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/even_trajectory.h"
+#include "chasles/motion/fixed_pose.h"
+#include "chasles/motion/screw_trajectory.h"
+#include "chasles/motion/sweep_trajectory.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace chasles::certificate {
+
+namespace {
+
+using motion::ChainLink;
+using Kind = motion::MotionDescription::Kind;
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw InvalidInput("certificate: " + why);
+}
+
+std::string hexadecimals_of(const Pose& pose) {
+    const Eigen::Vector3d& p = pose.translation;
+    const Eigen::Quaterniond& q = pose.rotation;
+    std::string text;
+    for (const double number : {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()})
+        text += " " + hexadecimal(number);
+    return text;
+}
+
+std::string hexadecimals_of(const Eigen::Vector3d& vector) {
+    return " " + hexadecimal(vector.x()) + " " + hexadecimal(vector.y()) + " " + hexadecimal(vector.z());
+}
+
+/// A pose, and that of the body it is seen from.
+std::string pose_line(const Pose& pose, const Pose* seen_from, bool with_both) {
+    return "pose" + hexadecimals_of(pose) + (with_both ? hexadecimals_of(seen_from ? *seen_from : Pose()) : "") + "\n";
+}
+
+std::string link_line(const ChainLink& link) {
+    using enum ChainLink::Kind;
+    const std::string head = link.is_inverse ? "link back " : "link ";
+    switch (link.kind) {
+    case pose:
+        return head + "pose" + hexadecimals_of(link.poses.front()) + "\n";
+    case slide:
+        return head + "slide" + hexadecimals_of(link.vector) + "\n";
+    case turn:
+        return head + "turn" + hexadecimals_of(link.vector) + "\n";
+    case velocity:
+        return head + "velocity" + hexadecimals_of(link.vector) + "\n";
+    case twist:
+        return head + "twist\n";
+    }
+    return "";
+}
+
+std::string knot_line(const std::vector<ChainLink>& links, std::size_t knot) {
+    std::string text = "knot";
+    for (const ChainLink& link : links)
+        if (!link.values.empty())
+            text += " " + hexadecimal(link.values[knot]);
+        else if (link.kind != ChainLink::Kind::pose)
+            text += hexadecimals_of(link.poses[knot]);
+    return text + "\n";
+}
+
+std::string chain_lines(const std::vector<ChainLink>& links, std::size_t pieces) {
+    std::string text = " " + std::to_string(links.size()) + "\n";
+    for (const ChainLink& link : links)
+        text += link_line(link);
+    for (std::size_t knot = 0; knot <= pieces; ++knot)
+        text += knot_line(links, knot);
+    return text;
+}
+
+template <class S>
+Matrix3<S> matrix_in(const Matrix3<DoubleDouble>& m) {
+    Matrix3<S> result;
+    for (int i = 0; i < 3; ++i)
+        result.row[i] = {S(m.row[i].x), S(m.row[i].y), S(m.row[i].z)};
+    return result;
+}
+
+template <class S>
+Vector3<S> in(const Wide& v) {
+    return {S(v.x), S(v.y), S(v.z)};
+}
+
+template <class S>
+EvenLink<S> rounded(const EvenLink<DoubleDouble>& link) {
+    return {link.is_inverse,    matrix_in<S>(link.orientation),
+            in<S>(link.arm),    in<S>(link.place),
+            in<S>(link.travel), in<S>(link.axis),
+            S(link.angle),      S(link.rate)};
+}
+
+using WideLink = EvenLink<DoubleDouble>;
+
+WideLink even_link(const ChainLink& link, std::size_t piece) {
+    const auto kind = link.kind == ChainLink::Kind::velocity ? motion::EvenKind::velocity : motion::EvenKind::twist;
+    const motion::EvenFrame frame(kind, link.poses[piece], link.poses[piece + 1], link.vector, true);
+    const auto& numbers = frame.refined();
+    if (!(double(numbers.angle) < std::numbers::pi))
+        refuse("piece " + std::to_string(piece) + " is a half turn, which has no shorter way round");
+    WideLink result;
+    result.orientation = rotation_matrix(numbers.orientation);
+    result.arm = numbers.arm - result.orientation * numbers.reference;
+    result.place = numbers.start - numbers.arm;
+    result.travel = numbers.travel;
+    result.axis = numbers.direction;
+    result.rate = numbers.angle;
+    return result;
+}
+
+WideLink wide_link(const ChainLink& link, std::size_t piece) {
+    using enum ChainLink::Kind;
+    WideLink result;
+    const auto value = [&](std::size_t knot) { return DoubleDouble(link.values[knot]); };
+    if (link.kind == pose) {
+        const motion::FixedPose fixed(link.poses.front());
+        result.place = fixed.refined.translation;
+        result.orientation = rotation_matrix(fixed.refined.rotation);
+    } else if (link.kind == slide) {
+        const Wide along = widened(motion::vector_in<double>(link.vector));
+        result.place = scale(along, value(piece));
+        result.travel = scale(along, value(piece + 1) - value(piece));
+    } else if (link.kind == turn) {
+        result.axis = motion::FixedAxis(link.vector).refined;
+        result.angle = value(piece);
+        result.rate = value(piece + 1) - value(piece);
+    } else {
+        result = even_link(link, piece);
+    }
+    result.is_inverse = link.is_inverse;
+    return result;
+}
+
+Motion screw_of(const motion::MotionEnds& ends) {
+    using Screw = motion::ErasedTrajectory<motion::ScrewTrajectory>;
+    return Motion(std::make_shared<const Screw>(motion::ScrewTrajectory(ends, std::numbers::pi)));
+}
+
+double size_of(const Wide& v) {
+    return length(motion::in_double(v));
+}
+
+CertifiedPiece chain_piece(const std::vector<ChainLink>& given, std::size_t piece) {
+    std::vector<WideLink> links;
+    std::vector<EvenLink<double>> in_double;
+    double size = 0;
+    for (const ChainLink& link : given) {
+        links.push_back(wide_link(link, piece));
+        in_double.push_back(rounded<double>(links.back()));
+        size += size_of(links.back().place) + size_of(links.back().travel) + size_of(links.back().arm);
+    }
+    return {ChainPiece(std::move(links)), ChainPiece(std::move(in_double)), size, false};
+}
+
+CertifiedPiece rational_piece(const motion::RationalMotion<DoubleDouble>& cubic, bool is_exact) {
+    const double size = size_of(cubic.origin) + size_of(cubic.displacement) + size_of(cubic.moment);
+    return {RationalPiece(cubic), RationalPiece(motion::rounded(cubic)), size, is_exact};
+}
+
+} // namespace
+
+CertifiedMotion::CertifiedMotion(std::span<const Motion> path) {
+    for (const Motion& motion : path)
+        add(motion);
+}
+
+void CertifiedMotion::add(const Motion& motion) {
+    motion::MotionDescription next = motion.trajectory().description();
+    if (next.kind == Kind::other)
+        refuse("the motion is none of those that are certified: screws, sweeps, and products of poses, velocities, "
+               "twists, hinges and sliders that move evenly between the same times");
+    const std::size_t first = parts_.empty() ? 0 : piece_count();
+    if (next.kind == Kind::chain)
+        parts_.push_back({motion, first, next.chain.times()});
+    else if (next.kind == Kind::sweep)
+        parts_.push_back({motion, first, {0, 1}});
+    else
+        for (const motion::MotionEnds& ends : next.pieces)
+            parts_.push_back({screw_of(ends), parts_.empty() ? 0 : piece_count(), {0, 1}});
+    if (next.kind == Kind::sweep && !(0 < double(motion::SweepPiece(next.pieces[0], next.centre).cubic().end_cosine)))
+        refuse("the sweep is a half turn");
+    if (first == 0)
+        whole_ = std::move(next);
+    else if (!whole_.append(next))
+        refuse("the motions of the path are of several kinds, or one does not begin where the last one ends");
+}
+
+std::string CertifiedMotion::lines() const {
+    const std::string count = std::to_string(piece_count());
+    if (whole_.kind == Kind::chain)
+        return "motion chain " + count + chain_lines(whole_.chain.links(), piece_count());
+    const bool with_both = std::ranges::any_of(
+        whole_.pieces, [](const motion::MotionEnds& ends) { return ends.start_is_in_world || ends.goal_is_in_world; });
+    std::string text = is_screw() ? "motion screw " + count + "\n"
+                                  : "motion sweep " + count + "\ncentre" + hexadecimals_of(whole_.centre) + "\n";
+    for (const motion::MotionEnds& ends : whole_.pieces)
+        text += pose_line(ends.start, ends.start_seen_from(), with_both);
+    const motion::MotionEnds& last = whole_.pieces.back();
+    return text + pose_line(last.goal, last.goal_seen_from(), with_both);
+}
+
+CertifiedPiece CertifiedMotion::piece(std::size_t index) const {
+    if (whole_.kind == Kind::chain)
+        return chain_piece(whole_.chain.links(), index);
+    return is_screw() ? rational_piece(motion::ScrewPiece(whole_.pieces[index]).cubic(), true)
+                      : rational_piece(motion::SweepPiece(whole_.pieces[index], whole_.centre).cubic(), false);
+}
+
+} // namespace chasles::certificate

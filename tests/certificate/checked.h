@@ -1,0 +1,57 @@
+// Checks certificates by the checker that shares nothing with the library, and makes random bodies.
+#pragma once
+
+#include "chasles/certificate/certificate.h"
+#include "tests/query/bodies.h"
+#include "tests/support/random_poses.h"
+#include "tools/verify.h"
+
+#include <random>
+#include <sstream>
+
+namespace chasles::test {
+
+inline ::certificate::Mesh mesh_of(const Polyhedron& body) {
+    ::certificate::Mesh mesh;
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        mesh.emplace_back();
+        for (const std::uint32_t vertex : body.face(face)) {
+            const Eigen::Vector3d& corner = body.vertices()[vertex];
+            mesh.back().push_back({corner.x(), corner.y(), corner.z()});
+        }
+    }
+    return mesh;
+}
+
+inline ::certificate::Verified checked(const Polyhedron& moving, const Polyhedron& fixed, const std::string& text) {
+    std::istringstream stream(text);
+    return ::certificate::verify(mesh_of(moving), mesh_of(fixed), stream);
+}
+
+inline std::string word_of(Verdict verdict) {
+    return verdict == Verdict::clear     ? "verdict clear\n"
+           : verdict == Verdict::contact ? "verdict contact "
+                                         : "verdict start\n";
+}
+
+/// Octahedra and boxes of several sizes, some with a radius, some as surfaces.
+class RandomBodies {
+public:
+    [[nodiscard]] Polyhedron operator()(Random& random) {
+        const double radius = random.chance(0.3) ? random.uniform(0, 0.3) : 0;
+        PolyhedronOptions options;
+        options.radius = radius;
+        options.solid = random.chance(0.3) ? Solid::no : Solid::automatic;
+        Body body = random.chance(0.5) ? random_octahedron(shapes_)
+                                       : box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
+        const double size = random.chance(0.3) ? 0.1 : random.chance(0.3) ? 3 : 1;
+        for (Eigen::Vector3d& vertex : body.vertices)
+            vertex *= size;
+        return Polyhedron::from_polygons(body.vertices, body.faces, options);
+    }
+
+private:
+    std::mt19937 shapes_{4747};
+};
+
+} // namespace chasles::test
