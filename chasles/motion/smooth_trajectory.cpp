@@ -3,6 +3,7 @@
 #include "chasles/motion/smooth_trajectory.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/sort.h"
 #include "chasles/motion/axis_piece.h"
 #include "chasles/motion/frames.h"
@@ -47,9 +48,10 @@ bool are_finite(const RateBounds& rates) {
 }
 
 /// Appends the interval between two times, or parts of it in which the body turns little. `poses` are those at its
-/// ends.
+/// ends. Throws Cancelled: bounds that the user computes may take long.
 void append_sections(const MovingFrame& frame, const Bracket& times, const PartEnds<double>& poses,
                      std::vector<Section>& sections, int divisions = 0) {
+    throw_if_cancelled();
     const double duration = times.upper - times.lower;
     const RateBounds rates = frame.rates(times);
     if (rates.turn_rate * duration <= most_turn_of_part) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <thread>
 
 namespace chasles::test {
 namespace {
@@ -66,6 +67,22 @@ TEST(QueryLimit, APairIsProvenClearUntilThen) {
     }
     EXPECT_GT(unknown, 20);
     EXPECT_GT(later_than_start, 10);
+}
+
+/// A motion that turns often has many sections, which are made before the search begins.
+TEST(QueryLimit, EndsTheSectionsOfAMotion) {
+    const Polyhedron body = sheet(1);
+    OwnTrajectory own;
+    own.pose_at = [](double time) { return pose(0, 5, 600 * time); };
+    own.bounds = [](double, double) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return MotionBounds{600, 0, 0, 0};
+    };
+    const Motion spin = Motion::along(own);
+    const auto start = std::chrono::steady_clock::now();
+    const Limit limit(0.05);
+    EXPECT_EQ(first_contact({body, body, spin}).verdict, Verdict::unknown);
+    EXPECT_LT(Seconds(std::chrono::steady_clock::now() - start).count(), 1);
 }
 
 /// One pair of features may take as long as whole bodies.
