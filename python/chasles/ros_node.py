@@ -175,18 +175,16 @@ def _spin(options: argparse.Namespace) -> int:
     try:
         with _of_ros():
             import rclpy
+            from rclpy.exceptions import NameValidationException
             from rclpy.executors import ExternalShutdownException
-    except ImportError as error:
+        rclpy.init()
+    except (ImportError, RuntimeError) as error:  # RuntimeError: of a middleware
         raise InvalidInput(str(error)) from None
-    rclpy.init()
     node = rclpy.create_node("chasles_validator")
     try:
-        validator = Validator(
-            node, robot, scene=scene, margin=options.margin, tolerance=options.tolerance, seconds=options.seconds,
-            topic=options.topic, states=options.states or None, forward=options.forward,
-        )  # fmt: skip
+        validator = _validator(node, robot, scene, options)
         rclpy.spin(validator.node)
-    except ImportError as error:
+    except (ImportError, NameValidationException) as error:  # of messages, and of names of topics
         raise InvalidInput(str(error)) from None
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
@@ -194,6 +192,13 @@ def _spin(options: argparse.Namespace) -> int:
         node.destroy_node()
         rclpy.try_shutdown()
     return CLEAR
+
+
+def _validator(node: Any, robot: Robot, scene: Scene | None, options: argparse.Namespace) -> Validator:
+    return Validator(
+        node, robot, scene=scene, margin=options.margin, tolerance=options.tolerance, seconds=options.seconds, topic=options.topic,
+        states=options.states or None, forward=options.forward,
+    )  # fmt: skip
 
 
 def _scene_of(file: str) -> Scene:

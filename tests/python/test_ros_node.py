@@ -185,11 +185,11 @@ def test_the_program_refuses_by_one_line(arguments, why, monkeypatch, capsys):
     ended = []
     node = Node()
     node.destroy_node = lambda: ended.append("node")
-    executors = types.SimpleNamespace(ExternalShutdownException=KeyError)
-    rclpy = types.SimpleNamespace(executors=executors, init=lambda: None, create_node=lambda name: node)
+    names = types.SimpleNamespace(ExternalShutdownException=KeyError, NameValidationException=LookupError)
+    rclpy = types.SimpleNamespace(executors=names, exceptions=names, init=lambda: None, create_node=lambda name: node)
     rclpy.try_shutdown = lambda: ended.append("rclpy")
-    monkeypatch.setitem(sys.modules, "rclpy", rclpy)
-    monkeypatch.setitem(sys.modules, "rclpy.executors", executors)
+    for name, module in (("rclpy", rclpy), ("rclpy.executors", names), ("rclpy.exceptions", names)):
+        monkeypatch.setitem(sys.modules, name, module)
     try:
         status = chasles.ros.main(list(map(str, arguments)))
     except SystemExit as end:
