@@ -112,10 +112,10 @@ def test_a_trajectory_moves_no_body_that_rests():
     goal[joint] += 1
     line = PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T)
     np.testing.assert_allclose(chasles.drake.joint_path(line, robot, world.plant).at(0.5), (start + goal)[joint] / 2)
-    goal[joint - 1] += 0.1
-    line = PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T)
-    with pytest.raises(chasles.InvalidInput, match="^trajectory: moves a free body that rests in the robot"):
-        chasles.drake.joint_path(line, robot, world.plant)
+    for change in (0.1, np.nan):
+        goal[joint - 1] += change
+        with pytest.raises(chasles.InvalidInput, match="^trajectory: moves a free body that rests in the robot"):
+            chasles.drake.joint_path(PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T), robot, world.plant)
 
 
 def test_trajectories_are_the_polynomials_that_they_are():
