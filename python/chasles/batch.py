@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import InvalidInput, Polyhedron
+from .arrays import array_of
 from .articles import with_article
 from .enums import Find
 from .extras import extra
@@ -238,20 +239,12 @@ def _thread_count(threads: int) -> int:
     return min(index(threads), 1 << 16)  # more threads than any machine has
 
 
-def _array(argument: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
-    _core._refuse_masked(argument, name)  # asarray drops the mask
-    try:
-        return np.asarray(argument)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"{name}: not an array: {error}") from None
-
-
 def _motions(starts: Any, goals: Any, motions: Any, kind: str) -> tuple[int, tuple[Any, Any, Any]]:
     """The number of rows; and starts and goals as arrays, or motions as a list."""
     if motions is None:
         if starts is None or goals is None:
             raise InvalidInput("starts, goals: both are needed, or motions=[...]")
-        starts, goals = _array(starts, "starts"), _array(goals, "goals")
+        starts, goals = array_of(starts, "starts"), array_of(goals, "goals")
         return len(starts) if starts.ndim else 0, (starts, goals, None)
     if starts is not None or goals is not None or kind != "screw":
         raise InvalidInput("motions: stand instead of starts, goals and motion")
@@ -282,7 +275,7 @@ def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray
     _core._refuse_masked(paths, "paths")
     if isinstance(paths, np.ndarray) and paths.dtype != object and paths.ndim > 0:
         return _joined_alike(paths)
-    arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
+    arrays = [array_of(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
     if not arrays:
         return np.empty((0, 7)), np.zeros(1, np.int64)
     for i, path in enumerate(arrays):

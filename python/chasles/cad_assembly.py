@@ -13,6 +13,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 
 from ._core import InvalidInput, Polyhedron, Robot
+from .arrays import numbers
 from .cad_bounds import Array
 from .cad_faces import Tessellation, size_of, tessellate
 from .cad_tree import Colour, Node, walk
@@ -136,7 +137,8 @@ class Assembly:
         follows: tuple[str, float, float] | None = None,
     ) -> Joint:
         """A joint of your own; see `Joint` for its numbers. STEP files have none."""
-        joint = Joint(name, type, parent, child, np.array(point, float), np.array(axis, float), lower, upper, value, follows)
+        ends = (np.array(numbers(given, f"joint {name!r}: {what}")) for given, what in ((point, "point"), (axis, "axis")))
+        joint = Joint(name, type, parent, child, *ends, lower, upper, value, follows)
         _check(joint, [*self.joints, joint], {*self.parts, *self.assemblies})
         self.joints.append(joint)
         return joint

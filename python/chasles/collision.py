@@ -8,9 +8,9 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair, _Use, _why_cancelled
 from .articles import with_article
+from .arrays import numbers
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
 from .in_use import change, question
@@ -287,9 +287,8 @@ def _placed(mesh: Any, transform: npt.ArrayLike | None) -> Placed:
 
 def _pose(transform: npt.ArrayLike, name: str = "transform") -> npt.NDArray[np.float64]:
     """A copy that later changes of the argument do not reach. Refuses what is no pose."""
-    _core._refuse_masked(transform, name)  # np.array drops the mask
+    pose = np.array(numbers(transform, name))
     try:
-        pose = np.array(transform, np.float64)
         Motion.at_rest(pose)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"{name}: {str(error).removeprefix('pose: ')}") from None

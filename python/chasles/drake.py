@@ -22,6 +22,7 @@ from pydrake.multibody.tree import ModelInstanceIndex
 
 from ._core import InvalidInput, JointPath, Robot
 from .articles import with_article
+from .arrays import numbers
 from .drake_joints import name_of_body, tree_of
 from .drake_polynomials import polynomials_of
 from .drake_shapes import body_of
@@ -105,7 +106,7 @@ def configurations(robot: Robot, plant: MultibodyPlant, q: npt.ArrayLike) -> Arr
     Raises
     ------
     InvalidInput
-        For a wrong shape, and for a robot that was not made of this plant.
+        For a wrong shape, for quaternions that are 0, and for a robot that was not made of this plant.
     """
     _check(plant)
     return _tree_like(robot, plant).values_of(q, plant.num_positions())
@@ -145,7 +146,7 @@ def joint_path(
     Raises
     ------
     InvalidInput
-        For other trajectories, a wrong number of rows, jumps, and quaternions.
+        For other trajectories, a wrong number of rows, jumps, quaternions, and numbers that are not finite.
     """
     _check(plant)
     tree = _tree_like(robot, plant)
@@ -164,7 +165,7 @@ def joint_path(
     coefficients[-1] = _positions_of(plant, rest, "rest") if rest is not None else _default_positions(plant)
     coefficients[:, :, rows] = given
     resting = coefficients[:, :, sorted(set(every.tolist()) - set(tree.columns))]
-    if np.abs(resting[:-1]).max(initial=0) > 1e-9 or np.abs(np.diff(resting[-1], axis=0)).max(initial=0) > 1e-9:
+    if not (np.abs(resting[:-1]).max(initial=0) <= 1e-9 and np.abs(np.diff(resting[-1], axis=0)).max(initial=0) <= 1e-9):
         raise InvalidInput("trajectory: moves a free body that rests in the robot: make the robot without `rest`")
     return JointPath.polynomials(robot, breaks, coefficients[:, :, np.array(tree.columns, np.int64)])
 
@@ -232,7 +233,7 @@ def _default_positions(plant: MultibodyPlant) -> Array:
 
 
 def _positions_of(plant: MultibodyPlant, q: npt.ArrayLike, name: str) -> Array:
-    result = np.asarray(q, np.float64)
+    result = numbers(q, name)
     if result.shape != (plant.num_positions(),) or not np.isfinite(result).all():
         raise InvalidInput(
             f"{name}: {plant.num_positions()} finite positions are needed, and the shape is {result.shape}"

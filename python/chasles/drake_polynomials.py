@@ -11,6 +11,7 @@ from pydrake import trajectories as dt
 
 from ._core import InvalidInput
 from .articles import with_article
+from .arrays import finite
 from .primitive_shapes import Array
 
 Pieces = tuple[Array, Array]  # breaks, coefficients: as JointPath.polynomials has them
@@ -30,10 +31,10 @@ def polynomials_of(trajectory: Any) -> Pieces:
     if isinstance(trajectory, dt.PiecewisePolynomial):
         return _of_piecewise(trajectory)
     if isinstance(trajectory, dt.BezierCurve):
-        points = np.asarray(trajectory.control_points()).T
+        points = finite(trajectory.control_points(), "trajectory: control points").T
         ends = [trajectory.start_time()] * len(points), [trajectory.end_time()] * len(points)
         return _of_spline(ends[0] + ends[1], points)
-    points = np.array([np.asarray(point).ravel() for point in trajectory.control_points()])
+    points = finite([np.ravel(point) for point in trajectory.control_points()], "trajectory: control points")
     return _of_spline(list(trajectory.basis().knots()), points)
 
 
@@ -65,7 +66,7 @@ def _joined(parts: list[Pieces]) -> Pieces:
 def _of_spline(knots: list[float], points: Array) -> Pieces:
     """A B-spline by its knots and control points (n, rows). A Bezier curve is one without knots between its ends."""
     degree = len(knots) - len(points) - 1
-    exact = [Fraction(knot) for knot in knots]
+    exact = [Fraction(knot) for knot in finite(knots, "trajectory: knots").tolist()]
     unit = max(Fraction(number).denominator for number in points.ravel().tolist())
     values = np.array([[int(Fraction(number) * unit) for number in point] for point in points.tolist()], object)
     spans = [k for k in range(degree, len(points)) if exact[k] < exact[k + 1]]
@@ -74,8 +75,10 @@ def _of_spline(knots: list[float], points: Array) -> Pieces:
         basis = _basis_on(exact, k, degree)
         shared = math.lcm(*(number.denominator for polynomial in basis for number in polynomial))
         integers = np.array([[int(number * shared) for number in polynomial] for polynomial in basis], object)
-        # A quotient of integers is rounded once.
-        coefficients[::-1, s] = (integers.T @ values[k - degree : k + 1]) / (shared * unit)
+        try:  # a quotient of integers is rounded once
+            coefficients[::-1, s] = (integers.T @ values[k - degree : k + 1]) / (shared * unit)
+        except OverflowError:
+            raise InvalidInput(f"trajectory: from {knots[k]} to {knots[k + 1]} s: is too large or too fast for floating point") from None
     return np.array([knots[k] for k in spans] + [knots[len(points)]]), coefficients
 
 

@@ -6,6 +6,9 @@ from typing import Any, NoReturn
 import numpy as np
 import numpy.typing as npt
 
+from ._core import InvalidInput
+from .arrays import finite, numbers
+
 Floats = npt.NDArray[np.float64]
 
 
@@ -44,8 +47,17 @@ class GateDecision:
         -------
         array (m, numbers)
             m is at least k. Values between two actions are rounded.
+
+        Raises
+        ------
+        InvalidInput
+            For other shapes, and numbers that are not finite.
         """
-        rows = np.vstack([np.asarray(present, np.float64), np.asarray(actions, np.float64)[: len(self.speeds)]])
+        first, rest = finite(present, "present"), numbers(actions, "actions")
+        if first.ndim != 1 or rest.ndim != 2 or rest.shape[1] != len(first) or len(rest) < len(self.speeds):
+            needed = f"(numbers,) and (n, numbers) with n of at least {len(self.speeds)} are needed"
+            raise InvalidInput(f"present, actions: the shapes are {first.shape} and {rest.shape}; {needed}")
+        rows = np.vstack([first, finite(rest[: len(self.speeds)], "actions")])
         parts = np.ceil(1.0 / self.speeds).astype(int)
         ways = [np.linspace(a, b, n + 1)[1:] for a, b, n in zip(rows[:-1], rows[1:], parts, strict=True)]
         return np.vstack(ways) if ways else rows[:0]

@@ -23,6 +23,7 @@ from lerobot.processor import PolicyActionProcessorStep, ProcessorStepRegistry, 
 
 from ._core import InvalidInput, Robot
 from .articles import with_article
+from .arrays import finite, numbers
 from .gate_decision import Floats, GateDecision
 from .policy import PolicyGate
 
@@ -75,7 +76,7 @@ class JointMap:
         self._scale, self._offset = self._numbers("scale", scale), self._numbers("offset", offset)
         if np.any(self._scale[self._columns] == 0):
             raise InvalidInput("scale: is 0, so no action would move the robot")
-        self._others = np.array(robot.neutral() if others is None else others, np.float64)
+        self._others = np.array(robot.neutral() if others is None else finite(others, "others"))
         if self._others.shape != (len(known),):
             raise InvalidInput(f"others: the shape is {self._others.shape}; ({len(known)},) is needed")
 
@@ -86,15 +87,15 @@ class JointMap:
 
     def configurations(self, actions: npt.ArrayLike) -> Floats:
         """The configurations (..., variables) of actions (..., numbers)."""
-        numbers = np.asarray(actions, np.float64)
-        if numbers.shape[-1:] != (self._count,):
-            raise InvalidInput(f"actions: the shape is {numbers.shape}; (..., {self._count}) is needed")
-        result = np.tile(self._others, (*numbers.shape[:-1], 1))
-        result[..., self._targets] = (self._scale * numbers + self._offset)[..., self._columns]
+        rows = numbers(actions, "actions")
+        if rows.shape[-1:] != (self._count,):
+            raise InvalidInput(f"actions: the shape is {rows.shape}; (..., {self._count}) is needed")
+        result = np.tile(self._others, (*rows.shape[:-1], 1))
+        result[..., self._targets] = (self._scale * rows + self._offset)[..., self._columns]
         return result
 
     def _numbers(self, name: str, values: npt.ArrayLike) -> Floats:
-        array = np.array(values, np.float64)
+        array = np.array(numbers(values, name))
         if array.shape not in ((), (self._count,)) or not np.isfinite(array).all():
             raise InvalidInput(f"{name}: one finite number, or {self._count} of them, are needed")
         return np.broadcast_to(array, (self._count,))
@@ -202,7 +203,7 @@ class ChunkGateStep(_GateStep, PolicyActionProcessorStep):
             )
         if len(shape) > 1 and shape[0] != 1:
             raise InvalidInput(f"action: a batch of {shape[0]} robots; a gate is about one: give each robot a step of its own")
-        present = np.asarray(self.present(), np.float64)
+        present = numbers(self.present(), "present")
         if present.shape != (self.joints.count,):
             raise InvalidInput(f"present: the shape is {present.shape}; ({self.joints.count},) is needed")
         rows = action.detach().to("cpu", torch.float64).numpy().reshape(-1, self.joints.count)
@@ -250,7 +251,11 @@ class ActionGateStep(_GateStep, RobotActionProcessorStep):
         missing = [key for key in self.keys if key not in (values or {})]
         if values is None or missing:
             raise InvalidInput(f"{what}: has no {', '.join(missing)}; the gate needs the state of the robot and its action")
-        return np.array([float(values[key]) for key in self.keys])
+        row = [numbers(values[key], f"{what}: {key}") for key in self.keys]
+        for key, number in zip(self.keys, row, strict=True):
+            if number.size != 1:
+                raise InvalidInput(f"{what}: {key}: the shape is {number.shape}; one number is needed")
+        return np.array([number.item() for number in row])
 
 
 for _step, _name in ((ChunkGateStep, "chasles_chunk_gate"), (ActionGateStep, "chasles_action_gate")):

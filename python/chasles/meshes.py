@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ._core import InvalidInput, Polyhedron
+from .arrays import array_of, numbers
 from .articles import with_article
 
 
@@ -44,7 +45,7 @@ def parts_from_trimesh(
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         try:
-            mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
+            mesh = _placed(scene.geometry[name], numbers(matrix, "transform"))
             parts[names[node]] = Polyhedron(*mesh, triangulate=triangulate, threads=threads, solid=solid, radius=radius)
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None
@@ -69,9 +70,11 @@ def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
         raise InvalidInput(f"{with_article(mesh)} has no faces; delete it from the scene")
     if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or (matrix[3] != [0, 0, 0, 1]).any():
         raise InvalidInput("transform: is no affine map: finite numbers (4, 4) with the last row 0 0 0 1 are needed")
-    vertices = np.asarray(mesh.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
-    faces = np.asarray(mesh.faces)
-    return vertices, faces[:, ::-1] if _orientation(matrix[:3, :3]) < 0 else faces
+    vertices, faces = numbers(mesh.vertices, "vertices"), array_of(mesh.faces, "faces")
+    if vertices.shape[1:] != (3,):
+        raise InvalidInput(f"vertices: the shape is {vertices.shape}; (n, 3) is needed")
+    vertices = vertices @ matrix[:3, :3].T + matrix[:3, 3]
+    return vertices, faces[..., ::-1] if _orientation(matrix[:3, :3]) < 0 else faces
 
 
 def _orientation(matrix: Any) -> float:

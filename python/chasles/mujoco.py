@@ -22,6 +22,7 @@ import numpy.typing as npt
 
 from ._core import InvalidInput, JointPath, Polyhedron, Robot
 from .articles import with_article
+from .arrays import numbers
 from .mujoco_audit import Audit, Question, audit_of
 from .mujoco_pairs import Geoms, geoms_of
 from .mujoco_shapes import CURVED, Array, inset_of, kind_of, shape_of
@@ -158,7 +159,7 @@ def audit(
     """
     _check(model, allowed_overlap, meshes, deviation)
     states = numbers_of(qpos, "qpos")
-    if states.ndim != 2 or len(states) < 2:
+    if states.ndim != 2 or len(states) < 2 or states.shape[1] != model.nq:
         raise InvalidInput(f"qpos: the shape is {states.shape}; (states, {model.nq}) with two states or more is needed")
     geoms = geoms_of(model, leave_out)
     plane = 2 * reach_of(model, states, mocap) + 1  # the middle of a plane may be as far from the origin as any geom
@@ -228,7 +229,7 @@ def _shape(
 def _times(times: npt.ArrayLike | None, count: int) -> Array:
     if times is None:
         return np.arange(count, dtype=np.float64)
-    result = np.asarray(times, np.float64)
+    result = numbers(times, "times")
     if result.shape != (count,) or not np.isfinite(result).all() or (np.diff(result) <= 0).any():
         raise InvalidInput(f"times: {count} finite times that ascend are needed")
     return result

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput
+from .arrays import numbers
 
 Array = npt.NDArray[np.float64]
 _FREE, _BALL, _SLIDE, _HINGE = (
@@ -115,16 +116,14 @@ def numbers_of(given: npt.ArrayLike, name: str) -> Array:
     """An array of numbers. Refuses an MjData, whose `qpos` is meant."""
     if type(given).__name__ == "MjData":
         raise InvalidInput(f"{name}: is an MjData; give arrays of its numbers, such as a copy of its qpos for each state")
-    try:
-        return np.asarray(given, np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"{name}: not an array of numbers: {error}") from None
+    return numbers(given, name)
 
 
 def _rows(given: npt.ArrayLike, name: str, shape: tuple[int, ...]) -> Array:
     array = numbers_of(given, name)
     if array.shape[-len(shape) :] != shape or array.ndim not in (len(shape), len(shape) + 1):
-        raise InvalidInput(f"{name}: the shape is {array.shape}; {shape}, or (states, {str(shape)[1:]} is needed")
+        several = f"(states, {', '.join(map(str, shape))})"
+        raise InvalidInput(f"{name}: the shape is {array.shape}; {shape} or {several} is needed")
     return array
 
 

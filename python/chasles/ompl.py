@@ -29,9 +29,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._core import Cancelled, InvalidInput, Polyhedron, Robot, RobotChecker, _free_body, _why_cancelled
 from .articles import with_article
+from .arrays import finite
 from .enums import Verdict
 from .extras import extra
 
@@ -189,12 +189,7 @@ _MISFITS = {
 
 
 def _values(robot: Robot, others: npt.ArrayLike | None) -> npt.NDArray[np.float64]:
-    if others is not None:
-        _core._refuse_masked(others, "others")  # np.array drops the mask
-    try:
-        values = np.array(robot.neutral() if others is None else others, np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"others: not an array of numbers: {error}") from None
+    values = np.array(robot.neutral() if others is None else finite(others, "others"))
     if values.shape != (len(robot.variables),):
         raise InvalidInput(f"others: the shape is {values.shape}; ({len(robot.variables)},) is needed")
     return values

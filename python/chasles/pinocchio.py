@@ -96,7 +96,7 @@ def configurations(model: pin.Model, q: npt.ArrayLike) -> Array:
     ----------
     model : pinocchio.Model
     q : array (model.nq,) or (n, model.nq)
-        Cosines and sines of unbounded joints may have any common length, and quaternions any length.
+        Cosines and sines of unbounded joints may have any common length above 0, as quaternions.
 
     Returns
     -------
@@ -106,7 +106,7 @@ def configurations(model: pin.Model, q: npt.ArrayLike) -> Array:
     Raises
     ------
     InvalidInput
-        For a wrong shape.
+        For a wrong shape, cosines and sines that are both 0 or infinite, and quaternions that are 0.
     """
     return _tree_of(model).values_of(q, model.nq)
 

@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from ._core import InvalidInput, JointPath, Limit, Motion, Robot, RobotChecker, Scene
 from .articles import with_article
+from .arrays import numbers
 from .gate_decision import Floats, GateDecision
 from .gate_question import BANDS, SINGLE, GateQuestion
 
@@ -132,7 +133,7 @@ class PolicyGate:
         Raises
         ------
         InvalidInput
-            For other shapes. Values that no robot can take (not finite, beyond the limits) are refused by the decision.
+            For other shapes, and what is no array of numbers. Values that no robot can take (not finite, beyond the limits) are refused by the decision.
         """
         begin = time.perf_counter()
         rows = _rows(present, actions, len(self._limits))
@@ -194,10 +195,7 @@ def _is_rest(motion: Motion) -> bool:
 
 def _rows(present: npt.ArrayLike, actions: npt.ArrayLike, variables: int) -> Floats:
     """The present configuration and the actions, (n + 1, variables)."""
-    try:
-        first, rest = np.asarray(present, np.float64), np.asarray(actions, np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"present, actions: not arrays of numbers: {error}") from None
+    first, rest = numbers(present, "present"), numbers(actions, "actions")
     if first.shape != (variables,):
         raise InvalidInput(f"present: the shape is {first.shape}; ({variables},) is needed")
     if rest.ndim != 2 or rest.shape[1] != variables or len(rest) == 0:

@@ -14,10 +14,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
 from ._core import InvalidInput, Polyhedron, Robot
+from .arrays import Array, numbers
 
-Array = npt.NDArray[np.float64]
 #: The value of a variable: a number of the configuration; the angle of its cosine and sine; or 0.
 Column = int | tuple[int, int] | None
 X, Y, Z = np.eye(3).tolist()
@@ -117,20 +116,33 @@ class Tree:
 
     def values_of(self, configurations: npt.ArrayLike, size: int) -> Array:
         """Configurations (size,) or (n, size) of the platform as those of the robot."""
-        _core._refuse_masked(configurations, "q")
-        try:
-            q = np.asarray(configurations, np.float64)
-        except (TypeError, ValueError) as error:
-            raise InvalidInput(f"q: not an array of numbers: {error}") from None
+        q = numbers(configurations, "q")
         if q.ndim not in (1, 2) or q.shape[-1] != size:
             raise InvalidInput(f"q: the shape is {q.shape}; ({size},) or (n, {size}) is needed")
         result = np.zeros((*q.shape[:-1], len(self.columns)))
+        names = self.variables()
         for number, column in enumerate(self.columns):
             if isinstance(column, tuple):
+                _refuse_no_angle(q[..., list(column)], names[number])
                 result[..., number] = np.arctan2(q[..., column[1]], q[..., column[0]])
             elif column is not None:
                 result[..., number] = q[..., column]
+        for number in (i for i, name in enumerate(names) if name.endswith("/rot_x")):
+            _refuse(~result[..., number : number + 4].any(axis=-1), names[number], "the quaternion is zero")
         return result
+
+
+def _refuse_no_angle(pairs: Array, name: str) -> None:
+    """Of cosine and sine. What is NaN has the angle NaN, which every question refuses by name, or marks."""
+    _refuse(~pairs.any(axis=-1), name, "the cosine and the sine are both 0, which is no angle")
+    _refuse(np.isinf(pairs).any(axis=-1), name, "the cosine or the sine is not finite")
+
+
+def _refuse(is_bad: Any, name: str, why: str) -> None:
+    """With the number of the first configuration."""
+    if np.any(is_bad):
+        place = f"configuration {int(np.argmax(is_bad))}: " if np.ndim(is_bad) else ""
+        raise InvalidInput(f"q: {place}{name}: {why}")
 
 
 def finite_limits(lower: float, upper: float) -> dict[str, float]:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import InvalidInput, JointPath, Robot, RobotChecker, Scene
+from .arrays import numbers
 from .batch import Errors, _marks, _thread_count
 
 edge_dtype = np.dtype(
@@ -80,11 +81,7 @@ def _rows(checker: RobotChecker, starts: npt.ArrayLike, goals: npt.ArrayLike) ->
     """Both arrays, of the same shape (n, variables)."""
     arrays = []
     for name, rows in (("starts", starts), ("goals", goals)):
-        _core._refuse_masked(rows, name)  # asarray drops the mask
-        try:
-            arrays.append(np.asarray(rows, np.float64))
-        except (TypeError, ValueError) as error:
-            raise InvalidInput(f"{name}: not an array of numbers: {error}") from None
+        arrays.append(numbers(rows, name))
         if arrays[-1].ndim != 2 or arrays[-1].shape[1] != len(checker.robot.variables):
             raise InvalidInput(f"{name}: the shape is {arrays[-1].shape}; (n, {len(checker.robot.variables)}) is needed")
     if len(arrays[0]) != len(arrays[1]):

@@ -14,13 +14,14 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import sys
 from collections.abc import Collection, Iterator
 from typing import Any, NamedTuple
 
 from ._core import InvalidInput
 from .extras import extra
 from .ros_node import Validator, main
-from .ros_path import joint_path
+from .ros_path import is_message, joint_path
 
 __all__ = ["Recorded", "Validator", "joint_path", "main", "trajectories"]
 
@@ -47,12 +48,13 @@ def trajectories(file: str | os.PathLike[str], topics: Collection[str] | None = 
     Returns
     -------
     list of Recorded
-        In the order of the bag, or of the documents of a file (as `ros2 topic echo` prints them).
+        In the order of the bag, or of the documents of a file (as `ros2 topic echo` prints them). A document may be a list of
+        messages.
 
     Raises
     ------
     InvalidInput
-        With the name of the file, if it cannot be read, or has no such message.
+        With the name of the file, if it cannot be read, has no such message, or a document that is none.
     """
     path = pathlib.Path(file)
     if not path.exists():
@@ -67,8 +69,8 @@ def trajectories(file: str | os.PathLike[str], topics: Collection[str] | None = 
 
 
 def _documents(path: pathlib.Path) -> Iterator[Recorded]:
-    text = path.read_text("utf-8")
     try:
+        text = path.read_text("utf-8")
         if path.suffix.lower() == ".json":
             documents = [json.loads(text)]
         else:
@@ -77,9 +79,14 @@ def _documents(path: pathlib.Path) -> Iterator[Recorded]:
             documents = list(YAML(typ="safe", pure=True).load_all(text))
     except ModuleNotFoundError:
         raise
-    except Exception as error:  # of a parser
+    except Exception as error:  # of the file, or a parser
         raise InvalidInput(f"{path}: {' '.join(str(error).split())}") from None
-    return (Recorded("", 0.0, document) for document in documents if document is not None)
+    messages = [message for document in documents for message in (document if isinstance(document, list) else [document])]
+    messages = [message for message in messages if message is not None]  # after the last ---
+    for number, message in enumerate(messages):
+        if not is_message(message):
+            raise InvalidInput(f"{path}: message {number}: has no points, and no trajectory or joint_trajectory that has them")
+    return (Recorded("", 0.0, message) for message in messages)
 
 
 def _messages(path: pathlib.Path, topics: Collection[str] | None) -> Iterator[Recorded]:
@@ -102,4 +109,4 @@ def _messages(path: pathlib.Path, topics: Collection[str] | None) -> Iterator[Re
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -18,6 +18,7 @@ import chasles
 import chasles.ros
 
 robot = chasles.Robot.load(sys.argv[1])
+assert chasles.ros.main(["--urdf", sys.argv[1], "--topic", "9x"]) == 2
 rclpy.init()
 node, other = rclpy.create_node("validator"), rclpy.create_node("other")
 validator = chasles.ros.Validator(node, robot, forward="safe", seconds=10.0)
@@ -60,3 +61,11 @@ assert answers[1]["verdict"] == "clear" and list(passed[0].points[0].positions) 
 send.publish(trajectory([0.5, 0.5, 0, 0.01], [0.5, 2.9, 0, 0.01]))
 wait(lambda: len(answers) == 3)
 assert answers[2]["verdict"] == "contact" and answers[2]["pair"] == ["right_finger", "post"] and len(passed) == 1
+lost = trajectory(*[[0.5, 0.5, 0, 0.01]] * 3)  # only some points have velocities, and the last ones are no numbers
+lost.points[1].velocities, lost.points[2].velocities = [0.0] * 4, [float("nan")] * 4
+send.publish(lost)
+wait(lambda: len(answers) == 4)
+assert answers[3]["verdict"] == "error" and "point 2: velocities" in answers[3]["error"]
+send.publish(trajectory([0.5, 0.5, 0, 0.01], [0.5, 0.5, 0, 0.06]))
+wait(lambda: len(answers) == 5)
+assert answers[4]["warnings"] == ["path: left: 0.06 in configuration 1 is beyond the limits [0, 0.04]"]

@@ -30,12 +30,18 @@ from pydrake.geometry import (  # noqa: E402
     Role,
     Sphere,
 )
-from pydrake.math import RigidTransform, RollPitchYaw  # noqa: E402
+from pydrake.math import BsplineBasis, KnotVectorType, RigidTransform, RollPitchYaw  # noqa: E402
 from pydrake.multibody.fem import DeformableBodyConfig  # noqa: E402
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, CoulombFriction  # noqa: E402
 from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint  # noqa: E402
 from pydrake.systems.framework import DiagramBuilder  # noqa: E402
-from pydrake.trajectories import BezierCurve, CompositeTrajectory, PathParameterizedTrajectory, PiecewisePolynomial  # noqa: E402
+from pydrake.trajectories import (  # noqa: E402
+    BezierCurve,
+    BsplineTrajectory,
+    CompositeTrajectory,
+    PathParameterizedTrajectory,
+    PiecewisePolynomial,
+)
 
 
 def names_of(world):
@@ -106,10 +112,10 @@ def test_a_trajectory_moves_no_body_that_rests():
     goal[joint] += 1
     line = PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T)
     np.testing.assert_allclose(chasles.drake.joint_path(line, robot, world.plant).at(0.5), (start + goal)[joint] / 2)
-    goal[joint - 1] += 0.1
-    line = PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T)
-    with pytest.raises(chasles.InvalidInput, match="^trajectory: moves a free body that rests in the robot"):
-        chasles.drake.joint_path(line, robot, world.plant)
+    for change in (0.1, np.nan):
+        goal[joint - 1] += change
+        with pytest.raises(chasles.InvalidInput, match="^trajectory: moves a free body that rests in the robot"):
+            chasles.drake.joint_path(PiecewisePolynomial.FirstOrderHold([0, 1], np.array([start, goal]).T), robot, world.plant)
 
 
 def test_trajectories_are_the_polynomials_that_they_are():
@@ -314,6 +320,15 @@ def test_trajectories_that_are_refused():
         (PiecewisePolynomial(), "trajectory: is empty$"),
         ("line", "trajectory: a str is no piecewise polynomial"),
     ]
+    for bad in (np.nan, np.inf, -np.inf):
+        what = f"trajectory: control points: the entry \\[.*\\] is {bad}; finite numbers are needed$"
+        cases += [
+            (BezierCurve(0, 1, np.array([[0, bad, 1]])), what),
+            (BsplineTrajectory(BsplineBasis(1, 2, KnotVectorType.kUniform, 0.0, 1.0), [[[0]], [[bad]]]), what),
+            (CompositeTrajectory([BezierCurve(0, 1, np.array([[0, bad]]))]), what),
+            (PiecewisePolynomial.FirstOrderHold([0, 1], [[0, bad]]), "path: segment 0: a coefficient is not a finite number$"),
+        ]
+    cases.append((BezierCurve(0, 1e-300, np.array([[0, 1e300]])), "trajectory: from 0.0 to 1e-300 s: is too large or too fast"))
     for trajectory, why in cases:
         with pytest.raises(chasles.InvalidInput, match=f"^{why}"):
             chasles.drake.joint_path(trajectory, robot, plant)

@@ -231,7 +231,7 @@ def test_what_deforms_is_refused_by_name():
     with pytest.raises(TypeError, match="^model: a str is not a mujoco.MjModel$"):
         chasles.mujoco.robot("model.xml")
     with pytest.raises(
-        chasles.InvalidInput, match=r"^qpos: the shape is \(3,\); \(\d+,\), or \(states, \d+,\) is needed$"
+        chasles.InvalidInput, match=r"^qpos: the shape is \(3,\); \(\d+,\) or \(states, \d+\) is needed$"
     ):
         chasles.mujoco.configurations(model, [1, 2, 3])
     data = mujoco.MjData(model)

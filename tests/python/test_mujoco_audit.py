@@ -256,6 +256,7 @@ def test_mocap_bodies_move_as_they_are_told():
 REFUSED = [
     (([0.0],), {}, r"qpos: the shape is \(1,\); \(states, 1\) with two states or more is needed"),
     (([[0.0]],), {}, r"qpos: the shape is \(1, 1\)"),
+    (([[], []],), {}, r"qpos: the shape is \(2, 0\); \(states, 1\) with two states or more is needed"),
     (([[0.0], [np.nan]],), {}, "path: configuration 1: "),
     (([[0.0], [2000.0]],), {}, "path: configuration 1: "),
     (([[0.0]] * 1500 + [[2000.0]],), {}, "path: configuration 1500: "),

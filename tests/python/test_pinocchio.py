@@ -259,6 +259,30 @@ def test_what_is_refused(models, options, why):
     assert str(error.value).startswith(why) and "\n" not in str(error.value)
 
 
+def test_what_is_no_angle_and_no_turn():
+    """Cosine and sine of any length are an angle, but not without a length, as with quaternions."""
+    model = pin.Model()
+    for name, joint in (("turn", pin.JointModelRUBZ()), ("plane", pin.JointModelPlanar()), ("ball", pin.JointModelSpherical())):
+        model.addJoint(0, joint, pin.SE3.Identity(), name)
+    good, infinite = pin.neutral(model), float("inf")
+    for place, values, why in (
+        (0, [0, 0], "turn: the cosine and the sine are both 0, which is no angle"),
+        (0, [infinite, 0], "turn: the cosine or the sine is not finite"),
+        (0, [1, -infinite], "turn: the cosine or the sine is not finite"),
+        (4, [0, 0], "plane/theta: the cosine and the sine are both 0, which is no angle"),
+        (6, [0, 0, 0, 0], "ball/rot_x: the quaternion is zero"),
+    ):
+        bad = good.copy()
+        bad[place : place + len(values)] = values
+        for q, number in ((bad, ""), ([good, bad], "configuration 1: ")):
+            with pytest.raises(chasles.InvalidInput) as error:
+                chasles.pinocchio.configurations(model, q)
+            assert str(error.value) == f"q: {number}{why}"
+    lost = np.full(model.nq, np.nan)
+    assert np.isnan(chasles.pinocchio.configurations(model, lost)).sum() == 4 + 4  # all but the place of the ball
+    np.testing.assert_allclose(chasles.pinocchio.configurations(model, 1e-200 * good + 1e200 * good)[:1], 0)
+
+
 def test_wrong_types_and_shapes():
     model, geometry = two()
     with pytest.raises(TypeError, match="^model: a str is not a pinocchio.Model$"):

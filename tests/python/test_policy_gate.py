@@ -358,7 +358,7 @@ def test_other_shapes_and_types_are_refused(robot):
         (np.zeros(6), np.zeros((5, 7)), r"present: the shape is \(6,\); \(7,\) is needed"),
         (np.zeros(7), np.zeros(7), r"actions: the shape is \(7,\); \(n, 7\) is needed"),
         (np.zeros(7), np.zeros((0, 7)), r"actions: the shape is \(0, 7\)"),
-        (["a"] * 7, np.zeros((5, 7)), "present, actions: not arrays of numbers"),
+        (["a"] * 7, np.zeros((5, 7)), "present: not an array of numbers: an array of <U1"),
     ):
         with pytest.raises(chasles.InvalidInput, match="^" + message):
             gate(present, actions)
