@@ -23,8 +23,8 @@ needs_build123d = pytest.mark.skipif(importlib.util.find_spec("build123d") is No
 needs_cadquery = pytest.mark.skipif(importlib.util.find_spec("cadquery") is None, reason="no cadquery")
 
 
-def write_step(path, shapes):
-    """An assembly of (name, colour, shape, pose) by OCCT's writer."""
+def write_step(path, shapes, external=None):
+    """An assembly of (name, colour, shape, pose) by OCCT's writer; with `external`, each part in a file of a name that begins so."""
     from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
     from OCP.STEPCAFControl import STEPCAFControl_Writer
     from OCP.STEPControl import STEPControl_StepModelType
@@ -50,7 +50,7 @@ def write_step(path, shapes):
     writer = STEPCAFControl_Writer()
     writer.SetNameMode(True)
     writer.SetColorMode(True)
-    writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
+    writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs, *([] if external is None else [external]))
     writer.Write(str(path))
 
 
