@@ -93,7 +93,7 @@ def leader_of(joint: Joint, joints: Sequence[Joint]) -> tuple[Joint, float, floa
         offset, factor = offset + factor * plus, factor * times
         leader = by_name[name]
         way.append(name)
-    if leader.type not in MOVING:
+    if leader is not joint and leader.type not in MOVING:
         raise InvalidInput(f"joint {joint.name!r}: follows {leader.name!r}, which is fixed and has no value")
     return leader, factor, offset
 
