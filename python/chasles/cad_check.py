@@ -95,7 +95,7 @@ def check(
         assembly=assembly,
     )
     try:
-        with Limit(seconds):
+        with Limit(max(end - time.monotonic(), 1e-6)):
             _at_rest(assembly, bodies, whole, meant, report)
     except Cancelled:
         report.is_rest_decided = False

@@ -58,7 +58,8 @@ def run(parser: Parser, arguments: Sequence[str] | None, answer: Callable[[argpa
     except Exception as error:  # Python would end with 1, which says contact
         traceback.print_exc()
         print(
-            f"chasles: nothing is proven: a fault of this program: {type(error).__name__}: {error}; please report it", file=sys.stderr
+            f"chasles: nothing is proven: a fault of this program: {type(error).__name__}: {error}; please report it",
+            file=sys.stderr,
         )
         return WRONG_INPUT
 

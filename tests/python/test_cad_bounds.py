@@ -118,7 +118,11 @@ def test_pointed_cones_keep_their_proof(seed):
     random = np.random.default_rng(seed)
     for number in range(40 if LONG else 12):
         radius, height = random.uniform(1, 10), random.uniform(1, 20)
-        for shape in (cs.cone(radius, 0, height), cs.cone(0, radius, height), cs.cut(cs.box(30, 30, height, (-15, -15, 0)), cs.cone(radius, 0, height))):
+        for shape in (
+            cs.cone(radius, 0, height),
+            cs.cone(0, radius, height),
+            cs.cut(cs.box(30, 30, height, (-15, -15, 0)), cs.cone(radius, 0, height)),
+        ):
             kinds = tessellate(cs.moved(shape, random.normal(size=3), random.normal(size=3), 50), 0.05, 0.3).kinds
             assert not any("free-form" in kind for kind in kinds), (radius, height, kinds)
         if number == 0:

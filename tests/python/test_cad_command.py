@@ -35,7 +35,9 @@ def model(tmp_path):
 
 
 def run(*words, **options):
-    return subprocess.run([sys.executable, "-m", "chasles.cad_command", *map(str, words)], capture_output=True, text=True, **options)
+    return subprocess.run(
+        [sys.executable, "-m", "chasles.cad_command", *map(str, words)], capture_output=True, text=True, **options
+    )
 
 
 def test_standard_output_has_the_answer_alone(model, tmp_path):
@@ -44,7 +46,11 @@ def test_standard_output_has_the_answer_alone(model, tmp_path):
     for line in ("printed", "written", "put by C", "a child"):
         assert line in found.stderr.splitlines()
     closed = subprocess.run(
-        f"'{sys.executable}' -m chasles.cad_command '{model}' --json 2>&-", shell=True, capture_output=True, text=True, check=False
+        f"'{sys.executable}' -m chasles.cad_command '{model}' --json 2>&-",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert json.loads(closed.stdout)["verdict"] == "contact"
 
@@ -99,7 +105,9 @@ def test_errors_name_the_option_and_its_value(model, tmp_path, capsys, option, v
     assert error.startswith(f"chasles: {option}: must be ") and error.endswith(f", not {value}\n")
 
 
-@pytest.mark.parametrize("fault", [AttributeError("no 'joints'"), AssertionError(), KeyError("x"), RuntimeError("OCCT"), MemoryError()])
+@pytest.mark.parametrize(
+    "fault", [AttributeError("no 'joints'"), AssertionError(), KeyError("x"), RuntimeError("OCCT"), MemoryError()]
+)
 def test_a_fault_of_the_program_is_no_contact(fault, monkeypatch, model, capsys):
     def check(*_, **__):
         raise fault

@@ -252,7 +252,12 @@ def test_parts_of_several_solids_are_assemblies():
     cut = Box(10, 1, 1) - Box(1, 2, 2)  # two boxes, 1 mm apart
     with BuildPart() as builder, Locations((0, 0, 0), (2, 0, 0)):
         Box(1, 1, 1)
-    for source in (cut, Box(1, 1, 1) + Pos(2, 0, 0) * Box(1, 1, 1), builder, Compound([Box(1, 1, 1), Pos(2, 0, 0) * Box(1, 1, 1)])):
+    for source in (
+        cut,
+        Box(1, 1, 1) + Pos(2, 0, 0) * Box(1, 1, 1),
+        builder,
+        Compound([Box(1, 1, 1), Pos(2, 0, 0) * Box(1, 1, 1)]),
+    ):
         assembly = chasles.cad.load(source)
         report = chasles.cad.check(assembly)
         assert list(assembly.parts) == ["solid 1", "solid 2"] and report.least.lower <= 1 <= report.least.upper
@@ -264,7 +269,9 @@ def test_parts_of_several_solids_are_assemblies():
     assembly = chasles.cad.load(Compound(label="all", children=[cut, other, Edge.make_line((0, 0, 0), (1, 0, 0))]))
     assert list(assembly.parts) == ["two/solid 1", "two/solid 2", "other"] and "no faces" in assembly.warnings[0]
     assert [(joint.name, joint.child) for joint in assembly.joints] == [("other.hinge", "two")]
-    assert {frozenset(pair) for pair in assembly.robot().tested_pairs()} == {frozenset(("other", f"two/solid {n}")) for n in (1, 2)}
+    assert {frozenset(pair) for pair in assembly.robot().tested_pairs()} == {
+        frozenset(("other", f"two/solid {n}")) for n in (1, 2)
+    }
 
 
 @needs_build123d

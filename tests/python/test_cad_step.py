@@ -56,7 +56,9 @@ def test_files_that_external_files_name_are_looked_for(tmp_path):
     text = (tmp_path / first).read_text()
     emptied = re.sub(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('',\((#\d+),#\d+\)", r"SHAPE_REPRESENTATION('',(\1)", text)
     assert emptied != text
-    (tmp_path / first).write_text(emptied.replace("ENDSEC;\nEND-ISO", "#9999=DOCUMENT_FILE('bob''s.stp','','',$,'',$);\nENDSEC;\nEND-ISO"))
+    (tmp_path / first).write_text(
+        emptied.replace("ENDSEC;\nEND-ISO", "#9999=DOCUMENT_FILE('bob''s.stp','','',$,'',$);\nENDSEC;\nEND-ISO")
+    )
     with pytest.raises(chasles.InvalidInput, match="not there: bob's.stp; put them"):
         chasles.cad.load(tmp_path / "whole.step")
     (tmp_path / "bob's.stp").write_text("")
@@ -68,7 +70,9 @@ def test_an_empty_part_is_refused_or_left_out(tmp_path):
     path = tmp_path / "whole.step"
     write_step(path, SHAPES)
     text = path.read_text()
-    path.write_text(re.sub(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('',\((#\d+),#\d+\)", r"SHAPE_REPRESENTATION('',(\1)", text, count=1))
+    path.write_text(
+        re.sub(r"ADVANCED_BREP_SHAPE_REPRESENTATION\('',\((#\d+),#\d+\)", r"SHAPE_REPRESENTATION('',(\1)", text, count=1)
+    )
     with pytest.raises(chasles.InvalidInput, match="base here: is empty: its shape is not there"):
         chasles.cad.load(path)
     assembly = chasles.cad.load(path, skip_empty=True)
