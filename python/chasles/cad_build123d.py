@@ -49,13 +49,10 @@ def _is_empty(thing: Any) -> bool:
 
 def add_joints(assembly: Assembly, root: Node) -> None:
     """The joints that connect parts of a tree, where they are now."""
-    places = {id(root.source): (WORLD, root.place)}
-    sources = {id(root.source): root.source}
-    for path, node, place in walk(root):
-        if node.source is not None:  # a solid of a part has none
-            places[id(node.source)], sources[id(node.source)] = (path, place), node.source
-    for source in sources.values():
-        for joint in getattr(source, "joints", {}).values():  # curves have none
+    places = {id(root.source): (WORLD, root.place)} | {id(node.source): (path, place) for path, node, place in walk(root)}
+    sources = [root.source, *(node.source for _, node, _ in walk(root))]
+    for source in dict((id(source), source) for source in sources).values():
+        for joint in getattr(source, "joints", {}).values():  # curves have none, nor have solids of a part
             if joint.connected_to is not None:
                 _add(assembly, joint, places)
 

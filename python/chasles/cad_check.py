@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ._core import Cancelled, InvalidInput, Limit, Robot, RobotChecker, first_contact
+from ._core import Cancelled, InvalidInput, Limit, RobotChecker, first_contact
 from .cad_assembly import Assembly, Part
 from .cad_bounds import Array
 from .cad_intended import matching
