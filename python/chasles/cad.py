@@ -24,15 +24,16 @@ with extra("cad", "chasles.cad"):
 
 from . import cad_build123d, cad_cadquery
 from .articles import with_article
-from .cad_assembly import Assembly, Joint, Part
+from .cad_assembly import Assembly, Part
 from .cad_check import check
+from .cad_joints import Joint
 from .cad_report import Clearance, JointRange, PairRange, Report, Stop, Touch
 from .cad_step import read_step
 
 __all__ = ["Assembly", "Clearance", "Joint", "JointRange", "PairRange", "Part", "Report", "Stop", "Touch", "check", "load"]
 
 
-def load(source: Any, *, deflection: float | None = None, angle: float = 0.3) -> Assembly:
+def load(source: Any, *, deflection: float | None = None, angle: float = 0.3, skip_empty: bool = False) -> Assembly:
     """The assembly of a STEP file, of build123d or of CadQuery, with names, colours, places and joints. Lengths are millimetres.
 
     Parameters
@@ -45,25 +46,30 @@ def load(source: Any, *, deflection: float | None = None, angle: float = 0.3) ->
         2,000 of the size of each part.
     angle : float
         The largest angle between neighbouring triangles of a curved face that OCCT aims at, radians.
+    skip_empty : bool
+        Whether parts whose shape is not there are left out, with a warning, rather than refused.
 
     Raises
     ------
     InvalidInput
-        For files that are no STEP, shapes without faces, joints of parts that are not in the assembly, closed loops of
+        For files that are no STEP, parts in files that are not there, shapes without faces, joints of parts that are not in the assembly, closed loops of
         joints, and constraints that leave no joint.
     TypeError
         For an object of another kind.
     """
     if isinstance(source, Assembly):
         return source
-    if not ((deflection is None or 0 < deflection < float("inf")) and 0 < angle <= 1):
-        raise InvalidInput(f"deflection, angle: must be above 0, and in (0, 1], not {deflection} and {angle}")
+    if not (deflection is None or 0 < deflection < float("inf")):
+        raise InvalidInput(f"deflection: must be above 0 and finite, not {deflection}")
+    if not 0 < angle <= 1:
+        raise InvalidInput(f"angle: must be in (0, 1], not {angle}")
+    options: dict[str, Any] = {"deflection": deflection, "angle": angle, "skip_empty": skip_empty}
     if isinstance(source, (str, os.PathLike)):
-        return Assembly(read_step(source), deflection=deflection, angle=angle)
+        return Assembly(read_step(source, skip_empty), **options)
     for platform in (cad_build123d, cad_cadquery):
         if platform.is_its(source):
             root = platform.tree_of(source)
-            assembly = Assembly(root, deflection=deflection, angle=angle)
+            assembly = Assembly(root, **options)
             platform.add_joints(assembly, root)
             return assembly
     raise TypeError(

@@ -16,10 +16,8 @@ from ._core import InvalidInput, Polyhedron, Robot
 from .arrays import numbers
 from .cad_bounds import Array
 from .cad_faces import Tessellation, size_of, tessellate
+from .cad_joints import MOVING, WORLD, Joint, leader_of, limits_of, require_joint, require_joints, turn
 from .cad_tree import Colour, Node, walk
-
-WORLD = "world"
-MOVING = ("revolute", "prismatic")
 
 
 @dataclasses.dataclass
@@ -66,42 +64,10 @@ class Part:
         return [self.mesh.with_radius(self.bound - allowed_overlap / 2)]
 
 
-@dataclasses.dataclass
-class Joint:
-    """What moves a part, or an assembly of parts, against another one. All values are those of the mounted assembly's world.
-
-    Attributes
-    ----------
-    name : str
-    type : "revolute", "prismatic" or "fixed"
-    parent, child : str
-        Paths of parts or assemblies. The parent may be "world".
-    point, axis : array (3,)
-        The axis goes through the point.
-    lower, upper : float
-        Limits, radians or mm; infinite without one.
-    value : float
-        Where the assembly is mounted, radians or mm.
-    follows : (str, float, float) or None
-        The value is that of another joint, times a factor, plus an offset: gears, parallel cranks.
-    """
-
-    name: str
-    type: str
-    parent: str
-    child: str
-    point: Array = dataclasses.field(default_factory=lambda: np.zeros(3))
-    axis: Array = dataclasses.field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
-    lower: float = -np.inf
-    upper: float = np.inf
-    value: float = 0.0
-    follows: tuple[str, float, float] | None = None
-
-
 class Assembly:
     """Parts as they are mounted, and the joints between them: what `chasles.cad.load` returns."""
 
-    def __init__(self, root: Node, *, deflection: float | None = None, angle: float = 0.3) -> None:
+    def __init__(self, root: Node, *, deflection: float | None = None, angle: float = 0.3, skip_empty: bool = False) -> None:
         self.name = root.name or "assembly"
         self.parts: dict[str, Part] = {}
         self.joints: list[Joint] = []
@@ -113,14 +79,20 @@ class Assembly:
                 self.assemblies.append(path)
                 continue
             if not TopExp_Explorer(node.shape, TopAbs_ShapeEnum.TopAbs_FACE).More():
-                self.warnings.append(f"{path}: has no faces, only curves or points, and is left out")
+                is_empty = not TopExp_Explorer(node.shape, TopAbs_ShapeEnum.TopAbs_VERTEX).More()
+                if is_empty and not skip_empty:
+                    raise InvalidInput(
+                        f"{path}: is empty: its shape is not there; add it, or leave such parts out (skip_empty=True, --skip-empty)"
+                    )
+                what = "is empty" if is_empty else "has no faces, only curves or points"
+                self.warnings.append(f"{path}: {what}, and is left out")
                 continue
             key = hash(node.shape)
             if key not in known or not known[key][1].IsSame(node.shape):
                 known[key] = (_tessellated(path, node.shape, deflection, angle), node.shape)
             self.parts[path] = _part(path, node, place, known[key][0])
         if not self.parts:
-            raise InvalidInput(f"{self.name}: has no parts")
+            raise InvalidInput(f"{self.name}: has no parts: nothing in it has faces")
 
     def add_joint(
         self,
@@ -139,9 +111,13 @@ class Assembly:
         """A joint of your own; see `Joint` for its numbers. STEP files have none."""
         ends = (np.array(numbers(given, f"joint {name!r}: {what}")) for given, what in ((point, "point"), (axis, "axis")))
         joint = Joint(name, type, parent, child, *ends, lower, upper, value, follows)
-        _check(joint, [*self.joints, joint], {*self.parts, *self.assemblies})
+        require_joint(joint, [*self.joints, joint], {*self.parts, *self.assemblies})
         self.joints.append(joint)
         return joint
+
+    def require_joints(self) -> None:
+        """Raises InvalidInput for a joint that is none, as one that moves no part, or that follows no other one."""
+        require_joints(self.joints, {*self.parts, *self.assemblies})
 
     @property
     def size(self) -> float:
@@ -163,7 +139,8 @@ class Assembly:
         ----------
         allowed_overlap : float
             Two parts that overlap by this much do not touch yet, mm: see docs/cad.md. A warning of the robot names parts whose
-            faces cannot be moved inwards; they touch as soon as they are met.
+            faces cannot be moved inwards; they touch as soon as they are met. Distances of this robot are those of the moved
+            faces, which are larger; ask a robot without it for those of the parts.
         left_out : list of (str, str)
             Pairs that are not tested.
         """
@@ -171,7 +148,7 @@ class Assembly:
         return self.robot_of(bodies, left_out, warnings)
 
     def bodies(self, allowed_overlap: float) -> tuple[dict[str, list[Polyhedron]], list[str]]:
-        """What contains each part, and warnings."""
+        """What contains each part, or it with its faces moved inwards; and warnings."""
         found, warnings = {}, []
         for name, part in self.parts.items():
             try:
@@ -194,18 +171,16 @@ class Assembly:
         moving: Collection[str] | None = None,
     ) -> Robot:
         """The robot whose parts have these bodies. With `moving`, all joints but these and their followers stay as mounted."""
-        known = {WORLD, *self.parts, *self.assemblies, *(joint.parent for joint in self.joints)}
-        for joint in self.joints:
-            if joint.child not in known:
-                raise InvalidInput(f"joint {joint.name!r}: {joint.child!r} is no part of the assembly, and carries none")
+        self.require_joints()
         groups = self._groups()
         still = {joint.name for joint in self.joints if moving is not None and joint.name not in moving}
-        still -= {joint.name for joint in self.joints if joint.follows is not None and joint.follows[0] not in still}
+        still -= {joint.name for joint in self.joints if leader_of(joint, self.joints)[0].name not in still}
         links: dict[str, dict[str, Any]] = {WORLD: {"name": WORLD}}
         joints = []
         for joint in self.joints:
             links[joint.child] = {"name": joint.child}
-            joints.append(_described(joint, self._origin(groups, joint.parent), groups, joint.name in still))
+            limits = limits_of(joint, self.joints)
+            joints.append(_described(joint, limits, self._origin(groups, joint.parent), groups, joint.name in still))
         for name, part in self.parts.items():
             place = part.place.copy()
             place[:3, 3] -= self._origin(groups, name)
@@ -284,7 +259,9 @@ def _part(path: str, node: Node, place: Array, mesh: Tessellation) -> Part:
     return Part(path, place, node.colour, body, mesh.bound, mesh.kinds, node.shape, curved)
 
 
-def _described(joint: Joint, above: Array, groups: Mapping[str, str], is_still: bool) -> dict[str, Any]:
+def _described(
+    joint: Joint, limits: tuple[float, float], above: Array, groups: Mapping[str, str], is_still: bool
+) -> dict[str, Any]:
     """As a dict of `chasles.Robot`. At the value of the mounted assembly the frame of the child has the axes of the world."""
     axis = joint.axis / np.linalg.norm(joint.axis)
     origin = np.eye(4)
@@ -297,36 +274,10 @@ def _described(joint: Joint, above: Array, groups: Mapping[str, str], is_still: 
     elif joint.type == "prismatic":
         origin[:3, 3] -= joint.value * axis
     if joint.type in MOVING:
-        described |= {"axis": axis, "lower": joint.lower, "upper": joint.upper}
-        if joint.type == "revolute" and not np.isfinite([joint.lower, joint.upper]).any():
+        described |= {"axis": axis, "lower": limits[0], "upper": limits[1]}
+        if joint.type == "revolute" and not np.isfinite(limits).any():
             described["type"] = "continuous"
     if joint.follows is not None:
         driver, factor, offset = joint.follows
         described["mimic"] = {"joint": driver, "multiplier": factor, "offset": offset}
     return described | {"origin": origin}
-
-
-def turn(axis: Array, angle: float) -> Array:
-    """The matrix of a turn about a unit vector (formula of Rodrigues)."""
-    cross = np.cross(np.eye(3), axis)
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
-
-
-def _check(joint: Joint, joints: list[Joint], paths: set[str]) -> None:
-    where = f"joint {joint.name!r}"
-    if joint.type not in (*MOVING, "fixed"):
-        raise InvalidInput(f"{where}: type: must be 'revolute', 'prismatic' or 'fixed', not {joint.type!r}")
-    if joint.parent not in paths | {WORLD} | {other.child for other in joints}:
-        raise InvalidInput(f"{where}: {joint.parent!r} is no part of the assembly; its parts are {', '.join(sorted(paths))}")
-    if sum(other.name == joint.name for other in joints) > 1:
-        raise InvalidInput(f"{where}: comes twice")
-    if sum(other.child == joint.child for other in joints) > 1:
-        raise InvalidInput(f"{where}: another joint moves {joint.child!r} already; a closed loop needs `follows`, or a path")
-    if joint.point.shape != (3,) or joint.axis.shape != (3,) or not np.isfinite([joint.point, joint.axis]).all():
-        raise InvalidInput(f"{where}: point, axis: three finite numbers each are needed")
-    if not joint.axis.any():
-        raise InvalidInput(f"{where}: axis: is zero")
-    if not joint.lower <= joint.upper or not np.isfinite(joint.value):
-        raise InvalidInput(f"{where}: lower, upper, value: {joint.lower} to {joint.upper}, at {joint.value}, is no range")
-    if joint.follows is None and not joint.lower <= joint.value <= joint.upper:
-        raise InvalidInput(f"{where}: value: is mounted at {joint.value}, outside of {joint.lower} to {joint.upper}")

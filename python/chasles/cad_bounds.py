@@ -21,17 +21,20 @@ def of_revolution(points: Array, triangles: Triangles, angles: Array, radius: fl
     """
     reach = radius + slope * points[:, 2]
     lengths = np.hypot(points[:, 0], points[:, 1])
-    if (reach < 0).any() and (reach > 0).any():
-        return float("inf")  # on both sides of the apex of a cone
     size = float(lengths.max(initial=0.0))
+    side = -1.0 if reach.sum() < 0 else 1.0  # of the apex
+    reach = side * reach
+    beyond = -float(reach.min(initial=0.0))
+    if beyond > 1e-9 * size:
+        return float("inf")  # on both sides of the apex of a cone; the apex itself may be beyond by rounding
+    reach = np.maximum(reach, 0)
     corner = np.where(lengths > 1e-9 * size, angles, np.nan)[triangles]  # an apex is at all angles
     middle = (np.nanmin(corner, axis=1) + np.nanmax(corner, axis=1)) / 2
-    along = np.einsum("tij,tj->ti", points[triangles][..., :2], np.column_stack([np.cos(middle), np.sin(middle)]))
-    along = along * np.where(reach.sum() < 0, -1, 1)
+    along = side * np.einsum("tij,tj->ti", points[triangles][..., :2], np.column_stack([np.cos(middle), np.sin(middle)]))
     if not (along >= -1e-9 * size).all():
         return float("inf")
-    short = (np.abs(reach)[triangles] - along).max(initial=0.0)
-    return float(max(short, (lengths - np.abs(reach)).max(initial=0.0)))
+    short = (reach[triangles] - along).max(initial=0.0)
+    return float(max(short, (lengths - reach).max(initial=0.0)) + beyond)
 
 
 def sphere(points: Array, triangles: Triangles, radius: float) -> float:

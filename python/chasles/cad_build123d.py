@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from ._core import InvalidInput
-from .cad_assembly import WORLD, Assembly, turn
+from .cad_assembly import Assembly
 from .cad_bounds import Array
+from .cad_joints import WORLD, turn
 from .cad_tree import Node, matrix_of, split, walk, without_place
 
 _SAME = 1e-7  # of the size: poses of build123d and of the axes found here agree to rounding, others are off by far more
@@ -25,8 +26,9 @@ def is_its(thing: Any) -> bool:
 def tree_of(thing: Any) -> Node:
     """The tree of a part, of a compound with children, or of a builder of a part."""
     thing = getattr(thing, "part", None) or thing
-    if getattr(thing, "wrapped", None) is None:
-        raise InvalidInput(f"{getattr(thing, 'label', '') or type(thing).__name__}: has no shape")
+    if _is_empty(thing):
+        name = getattr(thing, "label", "") or type(thing).__name__
+        raise InvalidInput(f"{name}: has no shape; an assembly is a Compound(children=[...]) of at least one part")
     colour = getattr(thing, "color", None)
     red, green, blue = tuple(colour)[:3] if colour is not None else (0, 0, 0)
     node = Node(thing.label, matrix_of(thing.location.wrapped), (red, green, blue) if colour is not None else None, source=thing)
@@ -38,12 +40,19 @@ def tree_of(thing: Any) -> Node:
     return node
 
 
+def _is_empty(thing: Any) -> bool:
+    try:
+        return getattr(thing, "wrapped", None) is None
+    except AssertionError:  # what build123d says of a Compound without children
+        return True
+
+
 def add_joints(assembly: Assembly, root: Node) -> None:
     """The joints that connect parts of a tree, where they are now."""
     places = {id(root.source): (WORLD, root.place)} | {id(node.source): (path, place) for path, node, place in walk(root)}
     sources = [root.source, *(node.source for _, node, _ in walk(root))]
     for source in dict((id(source), source) for source in sources).values():
-        for joint in source.joints.values():
+        for joint in getattr(source, "joints", {}).values():  # curves have none, nor have solids of a part
             if joint.connected_to is not None:
                 _add(assembly, joint, places)
 

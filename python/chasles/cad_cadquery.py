@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from ._core import InvalidInput
-from .cad_assembly import WORLD, Assembly, turn
+from .cad_assembly import Assembly
 from .cad_bounds import Array
+from .cad_joints import WORLD, turn
 from .cad_tree import Colour, Node, matrix_of, split, walk, without_place
 
 _FREE = 1e-6  # of the largest singular value: CadQuery's solver leaves residuals of some 1e-8

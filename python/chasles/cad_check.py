@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fnmatch
 import itertools
 import time
 from collections.abc import Collection, Sequence
@@ -10,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from ._core import Cancelled, InvalidInput, Limit, Robot, RobotChecker, first_contact
-from .cad_assembly import MOVING, Assembly, Joint, Part
+from ._core import Cancelled, InvalidInput, Limit, RobotChecker, first_contact
+from .cad_assembly import Assembly, Part
 from .cad_bounds import Array
+from .cad_intended import matching
+from .cad_joints import MOVING, Joint, limits_of
 from .cad_proof import Overlap, first_proven
 from .cad_report import Clearance, JointRange, PairRange, Report, Stop, Touch
 
@@ -59,7 +60,7 @@ def check(
     tolerance : float
         Of pairs of joints: the search ends once a contact is known and no more than this share of the configurations is open.
     seconds : float
-        After this time, what is not decided is unknown.
+        After this time, what is not decided is unknown, and `Report.is_complete` is False.
 
     Returns
     -------
@@ -68,57 +69,78 @@ def check(
     Raises
     ------
     InvalidInput
-        For a name that no part has, and numbers out of their range.
+        For a name that no part has, numbers out of their range, and joints that do not go together: one that follows a joint
+        that is not there, or that is mounted elsewhere than its leader puts it.
     """
-    if not (0 <= allowed_overlap < float("inf") and 0 < tolerance <= 1 and seconds > 0 and least_seconds >= 0):
-        raise InvalidInput(
-            "allowed_overlap, tolerance, seconds, least_seconds: must be at least 0; in (0, 1]; above 0; at least 0"
-        )
+    for name, value, is_right, range_ in (
+        ("allowed_overlap", allowed_overlap, 0 <= allowed_overlap < np.inf, "at least 0 and finite"),
+        ("tolerance", tolerance, 0 < tolerance <= 1, "in (0, 1]"),
+        ("seconds", seconds, seconds > 0, "above 0"),
+        ("least_seconds", least_seconds, least_seconds >= 0, "at least 0"),
+    ):
+        if not is_right:
+            raise InvalidInput(f"{name}: must be {range_}, not {value}")
     end = time.monotonic() + seconds
-    meant = _matching(assembly, intended)
+    assembly.require_joints()
+    meant = matching(assembly.parts, intended)
     bodies, warnings = assembly.bodies(allowed_overlap)
+    whole = bodies if allowed_overlap == 0 else assembly.bodies(0.0)[0]
     report = Report(
         name=assembly.name,
         parts=assembly.parts,
         intended=sorted(meant),
         allowed_overlap=allowed_overlap,
+        tolerance=tolerance,
         warnings=[*assembly.warnings, *warnings],
         assembly=assembly,
     )
     try:
-        with Limit(seconds):
-            _at_rest(assembly, bodies, meant, report, allowed_overlap)
+        with Limit(max(end - time.monotonic(), 1e-6)):
+            _at_rest(assembly, bodies, whole, meant, report)
     except Cancelled:
-        report.is_complete = False
+        report.is_rest_decided = False
         return report
     touching = {touch.pair for touch in report.touching}
     report.ignore_touching = ignore_touching
     joints = [joint for joint in assembly.joints if joint.type in MOVING and joint.follows is None]
     if not joints:
         return report
+    given = (assembly, bodies, whole, meant | touching, allowed_overlap)
     for joint in joints:
-        report.joints.append(_Ranges(assembly, [joint], bodies, meant | touching, allowed_overlap, end).of_one(least_seconds))
+        is_over = time.monotonic() >= end
+        report.joints.append(_not_looked_at(assembly, joint) if is_over else _Ranges(*given, [joint], end).of_one(least_seconds))
     together = list(itertools.combinations(joints, 2)) if pairs else []
     for number, two in enumerate(together):
         now = time.monotonic()  # each pair has its share of the time that is left
-        until = now + max(end - now, 0.0) / (len(together) - number)
-        report.pairs.append(_Ranges(assembly, two, bodies, meant | touching, allowed_overlap, until).of_two(tolerance))
+        until = now + (end - now) / (len(together) - number)
+        names = (two[0].name, two[1].name)
+        report.pairs.append(
+            PairRange(names, "open", 0.0, 0.0, 1.0, None, None, None, 0.0)
+            if now >= end
+            else _Ranges(*given, two, until).of_two(tolerance)
+        )
     return report
 
 
-def _matching(assembly: Assembly, intended: Collection[tuple[str, str]]) -> set[tuple[str, str]]:
-    """Pairs of parts by patterns, in the order of the parts."""
-    found = set()
-    for patterns in intended:
-        if isinstance(patterns, str) or len(patterns) != 2:
-            raise InvalidInput(f"intended: {patterns!r} is no pair of names")
-        ends = [{name for name in assembly.parts if fnmatch.fnmatchcase(name, pattern)} for pattern in patterns]
-        for pattern, names in zip(patterns, ends, strict=True):
-            if not names:
-                raise InvalidInput(f"intended: {pattern!r} is no part; the parts are {', '.join(assembly.parts)}")
-        two = itertools.combinations(assembly.parts, 2)
-        found |= {(a, b) for a, b in two if (a in ends[0] and b in ends[1]) or (b in ends[0] and a in ends[1])}
-    return found
+def _not_looked_at(assembly: Assembly, joint: Joint) -> JointRange:
+    """The range of a joint for which no time was left."""
+    lower, upper = _limits(assembly, joint)
+    stops = [Stop(None, joint.value, None, None) if end != joint.value else None for end in (lower, upper)]
+    return JointRange(joint.name, joint.type, lower, upper, joint.value, [joint.value, joint.value], stops)
+
+
+def _limits(assembly: Assembly, joint: Joint) -> tuple[float, float]:
+    """Where a joint ends. Without a limit, a turn; or so far that nothing of the assembly is left beside the part."""
+    way = np.pi if joint.type == "revolute" else 2 * assembly.size
+    endless = (joint.value - way, joint.value + way)
+    lower, upper = (
+        given if np.isfinite(given) else other for given, other in zip(limits_of(joint, assembly.joints), endless, strict=True)
+    )
+    if max(-lower, upper) > LARGEST:
+        raise InvalidInput(
+            f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits"
+        )
+    return lower, upper
 
 
 def _ordered(assembly: Assembly, pair: Any) -> tuple[str, str]:
@@ -127,16 +149,16 @@ def _ordered(assembly: Assembly, pair: Any) -> tuple[str, str]:
     return first, second
 
 
-def _at_rest(assembly: Assembly, bodies: Any, meant: set[tuple[str, str]], report: Report, allowed: float) -> None:
-    """The pairs that touch as mounted, and the nearest of the others."""
+def _at_rest(assembly: Assembly, bodies: Any, whole: Any, meant: set[tuple[str, str]], report: Report) -> None:
+    """The pairs that touch as mounted, and the nearest of the others: faces that are moved inwards have no distance of parts."""
     robot, rest = assembly.loose(bodies, meant)
     for pair in RobotChecker(robot).pairs_in_contact(rest):
         first, second = _ordered(assembly, pair)
-        report.touching.append(_touch(assembly, first, second, bodies, allowed))
-    robot, rest = assembly.loose(bodies, meant | {touch.pair for touch in report.touching})
+        report.touching.append(_touch(assembly, first, second, bodies, report.allowed_overlap))
+    robot, rest = assembly.loose(whole, meant | {touch.pair for touch in report.touching})
     if len(robot.tested_pairs()) > 0:
         near = RobotChecker(robot).least_distance(rest, rest, 1e-3)
-        report.least = _clearance(assembly, near, {}, allowed) if near.pair is not None else None
+        report.least = _clearance(assembly, near, {})
 
 
 def _touch(assembly: Assembly, first: str, second: str, bodies: Any, allowed: float) -> Touch:
@@ -169,10 +191,12 @@ def _point(found: Any) -> list[float] | None:
     return None if place is None else [float(value) for value in place]
 
 
-def _clearance(assembly: Assembly, found: Any, values: dict[str, float], allowed: float) -> Clearance:
+def _clearance(assembly: Assembly, found: Any, values: dict[str, float]) -> Clearance | None:
     """The bracket of the true parts. A point of a body around a part is at most twice its bound away from the part."""
+    if found.pair is None or not np.isfinite(found.distance_upper):
+        return None  # time was over before any distance was found
     first, second = _ordered(assembly, found.pair)
-    off = 2 * sum(assembly.parts[name].bound for name in (first, second)) + allowed
+    off = 2 * sum(assembly.parts[name].bound for name in (first, second))
     return Clearance(
         (first, second), found.distance, found.distance_upper + off, _point(found) if found.contacts else None, values
     )
@@ -182,11 +206,20 @@ class _Ranges:
     """Questions about some joints while all others stay as mounted, until a time."""
 
     def __init__(
-        self, assembly: Assembly, joints: Sequence[Joint], bodies: Any, left_out: set[tuple[str, str]], allowed: float, end: float
+        self,
+        assembly: Assembly,
+        bodies: Any,
+        whole: Any,
+        left_out: set[tuple[str, str]],
+        allowed: float,
+        joints: Sequence[Joint],
+        end: float,
     ) -> None:
         self.assembly, self.joints, self.allowed, self.end = assembly, joints, allowed, end
         self.began = time.monotonic()
-        self.robot = assembly.robot_of(bodies, left_out, moving={joint.name for joint in joints})
+        moving = {joint.name for joint in joints}
+        self.robot = assembly.robot_of(bodies, left_out, moving=moving)
+        self.whole = self.robot if whole is bodies else assembly.robot_of(whole, left_out, moving=moving)  # for distances
         values = {joint.name: joint.value for joint in joints}
         self.rest = np.array([values[name] for name in self.robot.variables], np.float64)
         self.index = {name: number for number, name in enumerate(self.robot.variables)}
@@ -194,23 +227,10 @@ class _Ranges:
     def left(self) -> float:
         return max(self.end - time.monotonic(), 1e-6)
 
-    def limits(self, joint: Joint) -> tuple[float, float]:
-        """Where a joint ends. Without a limit, a turn; or so far that nothing of the assembly is left beside the part."""
-        way = np.pi if joint.type == "revolute" else 2 * self.assembly.size
-        endless = (joint.value - way, joint.value + way)
-        lower, upper = (
-            given if np.isfinite(given) else other for given, other in zip((joint.lower, joint.upper), endless, strict=True)
-        )
-        if max(-lower, upper) > LARGEST:
-            raise InvalidInput(
-                f"joint {joint.name!r}: reaches {max(-lower, upper):g}, and values end at {LARGEST:g}: give it narrower limits"
-            )
-        return lower, upper
-
     def of_one(self, least_seconds: float) -> JointRange:
         """How far the joint goes from where it is mounted, to both sides, and how near anything comes on the way."""
         joint, checker = self.joints[0], RobotChecker(self.robot)
-        lower, upper = self.limits(joint)
+        lower, upper = _limits(self.assembly, joint)
         found = JointRange(joint.name, joint.type, lower, upper, joint.value, [lower, upper])
         for side, end in enumerate((lower, upper)):
             stop = self.way(checker, joint, end)
@@ -218,35 +238,35 @@ class _Ranges:
                 found.clear[side], found.stops[side] = stop.clear_until, stop
         if least_seconds > 0 and not any(found.stops):
             path = np.concatenate([self.path(joint, lower)[::-1], self.path(joint, upper)[1:]])
-            found.least = self.least(checker, joint, path, least_seconds) if len(path) > 1 and self.robot.tested_pairs() else None
+            found.least = self.least(joint, path, least_seconds) if len(path) > 1 and self.robot.tested_pairs() else None
         found.seconds = time.monotonic() - self.began
         return found
 
-    def least(self, checker: RobotChecker, joint: Joint, path: Array, seconds: float) -> Clearance | None:
-        """The least distance on a path: below that of samples, and above the largest margin that is proven for the whole path.
+    def least(self, joint: Joint, path: Array, seconds: float) -> Clearance | None:
+        """The least distance of the whole bodies on a path: below that of samples, and above the largest margin that is proven for the whole path.
 
         Where one part turns within another one, the distance is the same all the way. There margins are proven much sooner than
         a least distance is found.
         """
         end = time.monotonic() + min(self.left(), seconds)
         number, near, lower = self.index[joint.name], None, 0.0
+        checker = RobotChecker(self.whole)
         for value in np.linspace(path[0, number], path[-1, number], SAMPLES):
             near = self.nearer(near, checker, path[0], number, value, end)
         for share in MARGINS:
-            if near is None or near.pair is None or not near.distance_upper > 0:
-                break
+            if near is None or near.pair is None or not near.distance > 0:
+                break  # with an overlap that is allowed, parts may touch where the joint is clear
             with Limit(max(end - time.monotonic(), 1e-6)):
-                found = RobotChecker(self.robot, margin=share * near.distance_upper).first_contact_on_path(path)
+                found = RobotChecker(self.whole, margin=share * near.distance_upper).first_contact_on_path(path)
             if found.verdict == "unknown":
                 break
             if found.verdict == "clear":
                 lower = share * near.distance_upper
             else:
                 near = self.nearer(near, checker, path[0], number, found.configuration[number], end)
-        if near is None or near.pair is None:
-            return None
-        least = _clearance(self.assembly, near, {joint.name: float(near.configuration[number])}, self.allowed)
-        least.lower = min(lower, near.distance)
+        least = None if near is None else _clearance(self.assembly, near, {joint.name: float(near.configuration[number])})
+        if least is not None:
+            least.lower = min(lower, near.distance)
         return least
 
     def nearer(self, near: Any, checker: RobotChecker, row: Array, number: int, value: float, end: float) -> Any:
@@ -290,18 +310,23 @@ class _Ranges:
             return float(np.interp(found.segment + found.time_upper, np.arange(len(rows)), rows))
 
         def poses_at(value: float) -> tuple[Array, Array]:
+            if time.monotonic() > self.end:
+                raise Cancelled("the time was over")
             row = self.rest.copy()
             row[number] = value
             places = self.assembly.poses(self.robot, row)
             return places[pair[0]], places[pair[1]]
 
-        return first_proven(Overlap(parts, poses_at(until), np.array(point)), poses_at, until, end)
+        try:
+            return first_proven(Overlap(parts, poses_at(until), np.array(point)), poses_at, until, end)
+        except Cancelled:
+            return None
 
     def of_two(self, tolerance: float) -> PairRange:
         """All combinations of both joints."""
         lower, upper = self.rest.copy(), self.rest.copy()
         for joint in self.joints:
-            lower[self.index[joint.name]], upper[self.index[joint.name]] = self.limits(joint)
+            lower[self.index[joint.name]], upper[self.index[joint.name]] = _limits(self.assembly, joint)
         found = self.robot.range(lower, upper, tolerance=tolerance, seconds=self.left())
         return PairRange(
             (self.joints[0].name, self.joints[1].name),

@@ -12,7 +12,9 @@ import sys
 from typing import Any
 
 from ._core import InvalidInput
-from .program import Parser, beside, refuse_input, run
+from .program import Parser, answers_alone, beside, refuse_input, run
+
+_OF_CHECK = ("intended", "allowed_overlap", "deflection", "angle", "least_seconds", "tolerance", "seconds")
 
 _DESCRIPTION = "Clashes of an assembly as mounted, over the range of each joint, and over the ranges of each two joints."
 _EPILOG = "Exit status: 0 clear, 1 contact, 2 wrong input, 3 out of time, 130 interrupted. The guide is docs/cad.md."
@@ -29,7 +31,14 @@ def _checked(options: argparse.Namespace) -> int:
         refuse_input(out, [pathlib.Path(options.model)])
     if len({pathlib.Path(out).resolve() for out in outputs}) < len(outputs):
         raise InvalidInput(f"{options.out}: is the name of two outputs")
-    report = _report(options)
+    try:
+        with answers_alone():
+            report = _report(options)
+    except InvalidInput as error:
+        name, colon, what = str(error).partition(":")
+        if name not in _OF_CHECK:
+            raise
+        raise InvalidInput(f"--{name.replace('_', '-')}{colon}{what}") from error
     if options.page is not None:
         with beside(options.page, [pathlib.Path(options.model)]) as file:
             report.view(file, title=options.title)
@@ -42,15 +51,15 @@ def _checked(options: argparse.Namespace) -> int:
 
 def _report(options: argparse.Namespace) -> Any:
     try:
-        from . import cad  # here: --help works without OCP
+        from . import cad, cad_intended  # here: --help works without OCP
 
         source = _of_script(options.model) if options.model.endswith(".py") else options.model
-        assembly = cad.load(source, deflection=options.deflection, angle=options.angle)
+        assembly = cad.load(source, deflection=options.deflection, angle=options.angle, skip_empty=options.skip_empty)
     except (ModuleNotFoundError, OSError, TypeError) as error:
         raise InvalidInput(str(error)) from error
     return cad.check(
         assembly,
-        intended=[_two(text) for text in options.intended],
+        intended=[cad_intended.split(assembly.parts, text) for text in options.intended],
         ignore_touching=options.ignore_touching,
         allowed_overlap=options.allowed_overlap,
         pairs=not options.no_pairs,
@@ -73,7 +82,7 @@ def _parser() -> Parser:
         metavar="A:B",
         action="append",
         default=[],
-        help="two parts whose contacts are intended; * and ? stand for any letters",
+        help="two parts whose contacts are intended; * stands for any letters, and ? for one",
     )
     add("--ignore-touching", action="store_true", help="all contacts as mounted are intended")
     add("--allowed-overlap", metavar="MM", type=float, default=0.0, help="two parts that overlap by so much do not touch yet")
@@ -90,6 +99,7 @@ def _parser() -> Parser:
         default=0.3,
         help="between neighbouring triangles of a curved face (default: 0.3)",
     )
+    add("--skip-empty", action="store_true", help="leave out parts whose shape is not there, instead of refusing them")
     add("--no-pairs", action="store_true", help="do not move each two joints together")
     add(
         "--least-seconds",
@@ -111,13 +121,6 @@ def _parser() -> Parser:
     add("--page", metavar="FILE", help="write a page to look at")
     add("--title", help="of the page")
     return parser
-
-
-def _two(text: str) -> tuple[str, str]:
-    first, colon, second = text.partition(":")
-    if not (first and colon and second):
-        raise InvalidInput(f"--intended {text}: two names with a colon between them are needed")
-    return first, second
 
 
 def _of_script(path: str) -> Any:

@@ -78,7 +78,8 @@ def _is_deep(points: Array, pose: Array, part: Part, depth: float) -> bool:
         return False
     places = np.column_stack([moved, np.tile([1.0, 0, 0, 0], (len(moved), 1))])
     ball = sphere(depth)
-    inside = first_contact_batch(ball, part.mesh, places, places, find="any")["verdict"] != "clear"
+    verdicts = first_contact_batch(ball, part.mesh, places, places, find="any")["verdict"]
+    inside = np.isin(verdicts, ["contact", "contact_at_start"])  # and not rows for which no time was left
     surface = Polyhedron(vertices, part.mesh.faces, solid="no")
     is_apart = first_contact_batch(ball, surface, places[inside], places[inside], find="any")["verdict"] == "clear"
     return bool(is_apart.any())

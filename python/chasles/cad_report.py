@@ -46,7 +46,10 @@ class Stop:
 
 @dataclasses.dataclass
 class JointRange:
-    """How far a joint goes while all others stay as mounted: radians or mm. `clear` is proven, up to what stops it at each side."""
+    """How far a joint goes while all others stay as mounted: radians or mm. `clear` is proven, up to what stops it at each side.
+
+    `lower` and `upper` are its limits within those of its followers; without limits, how far it was looked at.
+    """
 
     name: str
     type: str
@@ -70,7 +73,7 @@ class JointRange:
 class PairRange:
     """All combinations of two joints: shares that are proven clear, in contact, and open. `found` is the `RobotRange`.
 
-    Clear are the true parts. In contact are the bodies around them: the true parts touch, or are within twice the sum of their bounds.
+    Clear are the true parts, up to an overlap that is allowed. `found` is None if no time was left. In contact are the bodies around them: the true parts touch, or are within twice the sum of their bounds.
     """
 
     joints: tuple[str, str]
@@ -118,16 +121,30 @@ class Report:
     least: Clearance | None = None
     joints: list[JointRange] = dataclasses.field(default_factory=list)
     pairs: list[PairRange] = dataclasses.field(default_factory=list)
-    is_complete: bool = True  # False where time ended before the assembly as mounted was decided
+    tolerance: float = 1.0  # the share of two joints that may stay open once a contact is known
+    is_rest_decided: bool = True  # False where time ended before all pairs as mounted were looked at
 
     @property
     def verdict(self) -> str:
         """ "contact" if anything touches that is not intended, else "unknown" if time ended, else "clear"."""
         if self.touching and not self.ignore_touching:
             return CONTACT
-        verdicts = {joint.verdict for joint in self.joints} | {pair.verdict for pair in self.pairs}
-        verdicts |= set() if self.is_complete else {UNKNOWN}
+        verdicts = self._verdicts()
         return next((verdict for verdict in (CONTACT, UNKNOWN) if verdict in verdicts), CLEAR)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether time did not end before all was decided: what touches as mounted, each way of each joint, and shares of two."""
+        ways = [stop for joint in self.joints for stop in joint.stops if stop is not None]
+        return (
+            UNKNOWN not in self._verdicts()
+            and all(stop.pair is not None for stop in ways)
+            and all(pair.open_share <= self.tolerance for pair in self.pairs)
+        )
+
+    def _verdicts(self) -> set[str]:
+        found = {joint.verdict for joint in self.joints} | {pair.verdict for pair in self.pairs}
+        return found if self.is_rest_decided else {*found, UNKNOWN}
 
     @property
     def exit_status(self) -> int:

@@ -53,7 +53,7 @@ def robot(
     allowed_overlap : float
         Two geoms that overlap by this much do not touch yet: the faces of both are moved inwards by half of it, but by
         at most nine tenths of the radius of the largest ball in a geom. `Robot.warnings` names geoms that are so thin.
-        Length unit.
+        Length unit. Distances of this robot are those of the moved faces, which are larger than those of the geoms.
     meshes : "hull" or "mesh"
         A mesh is the convex hull that MuJoCo collides, or its faces.
     deviation : float

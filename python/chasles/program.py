@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import ctypes
 import os
 import pathlib
 import signal
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NoReturn
 
@@ -50,6 +52,34 @@ def run(parser: Parser, arguments: Sequence[str] | None, answer: Callable[[argpa
     except KeyboardInterrupt:
         print("chasles: interrupted", file=sys.stderr)
         return INTERRUPTED
+    except MemoryError:
+        print("chasles: not enough memory", file=sys.stderr)
+        return WRONG_INPUT
+    except Exception as error:  # Python would end with 1, which says contact
+        traceback.print_exc()
+        print(
+            f"chasles: nothing is proven: a fault of this program: {type(error).__name__}: {error}; please report it",
+            file=sys.stderr,
+        )
+        return WRONG_INPUT
+
+
+@contextlib.contextmanager
+def answers_alone() -> Iterator[None]:
+    """What others print, as programs of users and libraries in C++, goes to standard error: standard output has the answer only."""
+    sys.stdout.flush()
+    if sys.stderr is None:  # closed: its number would be the next one
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    kept = os.dup(1)
+    try:
+        os.dup2(2, 1)
+        with contextlib.redirect_stdout(sys.stderr):
+            yield
+    finally:
+        with contextlib.suppress(OSError, TypeError, AttributeError):  # without a C library of the process
+            ctypes.CDLL(None).fflush(None)
+        os.dup2(kept, 1)
+        os.close(kept)
 
 
 def refuse_input(out: str | os.PathLike[str], inputs: Iterable[pathlib.Path]) -> None:

@@ -110,3 +110,34 @@ def test_edges_count(monkeypatch):
     edges = cad_faces._Face._edges
     monkeypatch.setattr(cad_faces._Face, "_edges", lambda face, *given: (0.7, edges(face, *given)[1]))
     assert tessellate(cs.ball(4), 0.02, 0.3).bound >= 0.7
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_pointed_cones_keep_their_proof(seed):
+    """The radius at the apex is 0 up to rounding, at either side of it. The bound holds, as for other cones."""
+    random = np.random.default_rng(seed)
+    for number in range(40 if LONG else 12):
+        radius, height = random.uniform(1, 10), random.uniform(1, 20)
+        for shape in (
+            cs.cone(radius, 0, height),
+            cs.cone(0, radius, height),
+            cs.cut(cs.box(30, 30, height, (-15, -15, 0)), cs.cone(radius, 0, height)),
+        ):
+            kinds = tessellate(cs.moved(shape, random.normal(size=3), random.normal(size=3), 50), 0.05, 0.3).kinds
+            assert not any("free-form" in kind for kind in kinds), (radius, height, kinds)
+        if number == 0:
+            out, back, mesh = checked(cs.cone(radius, 0, height), 0.05, 0.3, seed)
+            assert max(out, back) <= mesh.bound + 1e-8 <= 4 * max(out, back) + 1e-8
+
+
+def test_an_apex_beyond_its_cone_counts():
+    """A triangle to a point that is beyond the apex by rounding has the bound of the one to the apex, and by far more has none."""
+    u = np.array([0.0, 0.2, 0.0])
+    for side in (1.0, -1.0):
+        points = np.column_stack([side * np.array([5, 5, 0]) * np.cos(u), side * np.array([5, 5, 0]) * np.sin(u), [-5, -5, 0]])
+        bounds = [
+            cad_bounds.of_revolution(points, np.array([[0, 1, 2]]), u, side * radius, side * slope)
+            for radius, slope in ((0.0, -1.0), (-1e-12, -(1 - 2e-13)), (-1e-3, -(1 - 2e-4)))
+        ]
+        assert bounds[0] == pytest.approx(5 * (1 - np.cos(0.1)), rel=1e-9)
+        assert bounds[1] == pytest.approx(bounds[0], abs=5e-12) and bounds[2] == np.inf

@@ -23,8 +23,8 @@ needs_build123d = pytest.mark.skipif(importlib.util.find_spec("build123d") is No
 needs_cadquery = pytest.mark.skipif(importlib.util.find_spec("cadquery") is None, reason="no cadquery")
 
 
-def write_step(path, shapes):
-    """An assembly of (name, colour, shape, pose) by OCCT's writer."""
+def write_step(path, shapes, external=None):
+    """An assembly of (name, colour, shape, pose) by OCCT's writer; with `external`, each part in a file of a name that begins so."""
     from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
     from OCP.STEPCAFControl import STEPCAFControl_Writer
     from OCP.STEPControl import STEPControl_StepModelType
@@ -50,7 +50,7 @@ def write_step(path, shapes):
     writer = STEPCAFControl_Writer()
     writer.SetNameMode(True)
     writer.SetColorMode(True)
-    writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
+    writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs, *([] if external is None else [external]))
     writer.Write(str(path))
 
 
@@ -246,6 +246,46 @@ def test_occt_refutes_nothing_at_random_poses():
 
 
 @needs_build123d
+def test_parts_of_several_solids_are_assemblies():
+    from build123d import Box, BuildPart, Compound, Edge, Locations, Pos, RevoluteJoint, RigidJoint
+
+    cut = Box(10, 1, 1) - Box(1, 2, 2)  # two boxes, 1 mm apart
+    with BuildPart() as builder, Locations((0, 0, 0), (2, 0, 0)):
+        Box(1, 1, 1)
+    for source in (
+        cut,
+        Box(1, 1, 1) + Pos(2, 0, 0) * Box(1, 1, 1),
+        builder,
+        Compound([Box(1, 1, 1), Pos(2, 0, 0) * Box(1, 1, 1)]),
+    ):
+        assembly = chasles.cad.load(source)
+        report = chasles.cad.check(assembly)
+        assert list(assembly.parts) == ["solid 1", "solid 2"] and report.least.lower <= 1 <= report.least.upper
+    cut.label = "two"
+    other = Pos(0, 0, 5) * Box(1, 1, 1)
+    other.label = "other"
+    hinge = RevoluteJoint("hinge", other, angular_range=(0, 90))
+    hinge.connect_to(RigidJoint("r", cut), angle=10)
+    assembly = chasles.cad.load(Compound(label="all", children=[cut, other, Edge.make_line((0, 0, 0), (1, 0, 0))]))
+    assert list(assembly.parts) == ["two/solid 1", "two/solid 2", "other"] and "no faces" in assembly.warnings[0]
+    assert [(joint.name, joint.child) for joint in assembly.joints] == [("other.hinge", "two")]
+    assert {frozenset(pair) for pair in assembly.robot().tested_pairs()} == {
+        frozenset(("other", f"two/solid {n}")) for n in (1, 2)
+    }
+
+
+@needs_build123d
+def test_what_has_no_shape_is_refused():
+    from build123d import Box, BuildPart, Compound, Part, ShapeList
+
+    for source in (Compound(label="q", children=[]), BuildPart(), Part(), ShapeList([Box(1, 1, 1)])):
+        with pytest.raises(chasles.InvalidInput, match=r"has no shape; an assembly is a Compound\(children="):
+            chasles.cad.load(source)
+    with pytest.raises(chasles.InvalidInput, match="is empty"):
+        chasles.cad.load(Box(1, 1, 1) - Box(2, 2, 2))
+
+
+@needs_build123d
 def test_build123d_refusals():
     from build123d import Box, Compound, RevoluteJoint, RigidJoint
 
@@ -303,6 +343,21 @@ def test_the_constraints_hold_along_the_joints():
     for row in random.uniform([-3, -20], [3, 20], (1000, 2)):
         poses = assembly.poses(robot, [dict(pin=row[0], block=row[1])[name] for name in robot.variables])
         assert max(np.abs(c.off(poses)).max() for c in constraints) < 1e-5
+
+
+@needs_cadquery
+def test_step_files_of_cadquery_have_its_names(tmp_path):
+    """It writes a part that comes twice once, and later instances without names."""
+    import cadquery as cq
+
+    pair = cq.Assembly(name="pair")
+    for name, place in (("pin", 0), ("hub", 5)):
+        pair.add(cq.Workplane().box(2, 2, 2), name=name, loc=cq.Location((place, 0, 0)))
+    top = cq.Assembly(name="top")
+    for name, place in (("left", 0), ("right", 9)):
+        top.add(pair, name=name, loc=cq.Location((0, place, 0)))
+    top.export(str(tmp_path / "top.step"))
+    assert list(chasles.cad.load(tmp_path / "top.step").parts) == list(chasles.cad.load(top).parts)
 
 
 @needs_cadquery
