@@ -18,18 +18,21 @@ from OCP.XCAFDoc import XCAFDoc_ColorTool, XCAFDoc_ColorType, XCAFDoc_DocumentTo
 
 from ._core import InvalidInput
 from .cad_tree import Colour, Node, matrix_of, split, without_place
+from .read_file import as_regular_file
 
 
 def read_step(path: str | os.PathLike[str]) -> Node:
     """The tree of a STEP file. Lengths are millimetres, whatever unit the file has."""
     file = pathlib.Path(path)
-    if not file.is_file():
+    if not file.exists() or file.is_dir():
         raise InvalidInput(f"{file}: is no file")
     document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
     reader.SetColorMode(True)
-    if reader.ReadFile(str(file)) != IFSelect_ReturnStatus.IFSelect_RetDone or not reader.Transfer(document):
+    with as_regular_file(file) as named:
+        is_read = reader.ReadFile(str(named)) == IFSelect_ReturnStatus.IFSelect_RetDone
+    if not is_read or not reader.Transfer(document):
         raise InvalidInput(f"{file}: is no STEP file that OCCT can read")
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
