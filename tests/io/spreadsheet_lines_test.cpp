@@ -1,5 +1,5 @@
-// Lines that spreadsheets write: no row is lost as a comment, and decimal commas and units are named. So are tables that are
-// no text.
+// Lines that spreadsheets write: no row is lost as a comment, and decimal commas and units are named. So are tables
+// that are no text.
 #include "chasles/io/motion_files.h"
 #include "chasles/io/point_files.h"
 #include "tests/io/message_of.h"

@@ -47,8 +47,8 @@ std::string refused(const std::string& text, const Robot& robot) {
 TEST(JointPathFile, BinaryTablesAreNamed) {
     EXPECT_TRUE(refused(std::string("PAR1\x15\0", 6), arm()).starts_with("is a Parquet file"));
     EXPECT_TRUE(refused(std::string("waist\n1\n\0\n", 10), arm()).starts_with("is no text"));
-    EXPECT_EQ(read_configurations("PAR1,PAR2\n0,1\n1,2\n", chain_of({{"PAR1", JointType::revolute},
-                                                                  {"PAR2", JointType::revolute}}))
+    EXPECT_EQ(read_configurations("PAR1,PAR2\n0,1\n1,2\n",
+                                  chain_of({{"PAR1", JointType::revolute}, {"PAR2", JointType::revolute}}))
                   .configurations.size(),
               2U);
 }
