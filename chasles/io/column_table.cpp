@@ -150,11 +150,23 @@ std::vector<std::string> with_their_units(std::vector<std::string> cells) {
     return names;
 }
 
+// The text of a table. The bytes of a binary file would be quoted as the names of its columns.
+std::string_view table_text(std::string_view bytes) {
+    const std::string_view text = without_byte_order_mark(bytes);
+    if (text.find('\0') == std::string_view::npos)
+        return text; // also a table whose first column is called PAR1
+    if (text.starts_with("PAR1"))
+        throw InvalidInput("is a Parquet file, which is no text: write the table as CSV, or read it in Python "
+                           "(chasles.distributed, or pandas and arrays)");
+    throw InvalidInput("is no text: it has zero bytes, as spreadsheets (.xlsx), compressed files and text in UTF-16 "
+                       "have; save the table as CSV in UTF-8");
+}
+
 } // namespace
 
 ColumnTable::ColumnTable(std::string_view text, std::function<bool(std::string_view)> is_name,
                          std::string_view text_column)
-    : lines_(without_byte_order_mark(text)), is_name_(std::move(is_name)), text_column_(text_column) {
+    : lines_(table_text(text)), is_name_(std::move(is_name)), text_column_(text_column) {
     std::vector<Comment> comments;
     bool has_line = lines_.next();
     if (has_line && take_separator(lines_.line()))

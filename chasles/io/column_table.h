@@ -31,7 +31,8 @@ struct TableRow {
 class ColumnTable {
 public:
     /// `is_name` accepts the names that a header of this kind of table has. If there is a column of the name `text`,
-    /// `#` begins no comment within a row. Throws InvalidInput for a header that can be read in two ways.
+    /// `#` begins no comment within a row. Throws InvalidInput for a header that can be read in two ways, and for
+    /// Parquet and other binary files.
     ColumnTable(std::string_view text, std::function<bool(std::string_view)> is_name,
                 std::string_view text_column = {});
 

@@ -25,10 +25,10 @@ std::uint32_t word_at(std::string_view bytes, std::size_t position) {
 // Takes a GLB file apart. Chunks of other types are skipped, as the specification demands.
 GltfChunks glb_chunks(std::string_view bytes) {
     constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;
+    if (bytes.size() >= 8 && word_at(bytes, 4) != 2)
+        throw InvalidInput("is GLB of version " + std::to_string(word_at(bytes, 4)) + "; only version 2 is read");
     if (bytes.size() < 20 || word_at(bytes, 8) > bytes.size())
         throw InvalidInput("is truncated: the file is shorter than its header announces");
-    if (word_at(bytes, 4) != 2)
-        throw InvalidInput("is GLB of version " + std::to_string(word_at(bytes, 4)) + "; only version 2 is read");
     const std::size_t end = word_at(bytes, 8);
     GltfChunks chunks;
     std::size_t position = 12;

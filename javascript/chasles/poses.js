@@ -64,14 +64,20 @@ function refuseColumns(list, name) {
     throw new InvalidInput(`${name}: 16 numbers column by column; a pose has them row by row: give the Matrix4 itself, or { elements: numbers }`);
 }
 
-/** An object that has the parts of an Object3D, but no matrix in the world. */
-function plainParts({ position: p, quaternion: q, scale }, name) {
-  if (scale && [scale.x, scale.y, scale.z].some((factor) => factor !== 1))
-    throw new InvalidInput(`${name}: the object is scaled by ${scale.x} ${scale.y} ${scale.z}, which no pose is`);
-  return [p.x, p.y, p.z, q.w, q.x, q.y, q.z];
-}
+const aPose =
+  "a pose is a place with a turn: { position: { x, y, z }, quaternion: { x, y, z, w } }, an Object3D, a Matrix4, or 3, 7 (x y z qw qx qy qz) or 16 numbers";
 
-const aPose = "a pose is a place with a turn: { position, quaternion }, an Object3D, a Matrix4, or 3, 7 or 16 numbers";
+/** An object that has the parts of an Object3D, but no matrix in the world. */
+function plainParts({ position, quaternion, scale }, name) {
+  const numbersOf = (part, letters, partName) =>
+    [...letters].map((letter) => {
+      if (typeof part[letter] === "number") return part[letter];
+      throw new InvalidInput(`${name}: ${partName}.${letter}: ${shown(part[letter])} is not a number: ${aPose}`);
+    });
+  const factors = scale ? numbersOf(scale, "xyz", "scale") : [];
+  if (factors.some((factor) => factor !== 1)) throw new InvalidInput(`${name}: the object is scaled by ${factors.join(" ")}, which no pose is`);
+  return [...numbersOf(position, "xyz", "position"), ...numbersOf(quaternion, "wxyz", "quaternion")];
+}
 
 /** What is no pose, and how it becomes a part of one. */
 function refuseOther(value, name) {

@@ -25,6 +25,7 @@ from OCP.XCAFDoc import XCAFDoc_ColorTool, XCAFDoc_ColorType, XCAFDoc_DocumentTo
 
 from ._core import InvalidInput
 from .cad_tree import Colour, Node, matrix_of, split, walk, without_place
+from .read_file import as_regular_file
 
 _DOCUMENT_FILE = re.compile(rb"DOCUMENT_FILE\s*\(\s*'((?:[^']|'')*)'")
 
@@ -32,14 +33,16 @@ _DOCUMENT_FILE = re.compile(rb"DOCUMENT_FILE\s*\(\s*'((?:[^']|'')*)'")
 def read_step(path: str | os.PathLike[str], skip_empty: bool = False) -> Node:
     """The tree of a STEP file. Lengths are millimetres, whatever unit the file has."""
     file = pathlib.Path(path)
-    if not file.is_file():
+    if not file.exists() or file.is_dir():
         raise InvalidInput(f"{file}: is no file")
     document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
     reader.SetColorMode(True)
-    whole = str(file.absolute())  # OCCT finds the files of external parts beside no relative path
-    if reader.ReadFile(whole) != IFSelect_ReturnStatus.IFSelect_RetDone or not reader.Transfer(document):
+    with as_regular_file(file) as named:
+        whole = str(named.absolute())  # OCCT finds the files of external parts beside no relative path
+        is_read = reader.ReadFile(whole) == IFSelect_ReturnStatus.IFSelect_RetDone
+    if not is_read or not reader.Transfer(document):
         raise InvalidInput(f"{file}: is no STEP file that OCCT can read")
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())

@@ -31,7 +31,7 @@ def animations(path: str | os.PathLike[str]) -> list[str]:
     InvalidInput
         If the file cannot be read.
     """
-    return _names_of(Document(path))
+    return names_of(Document(path))
 
 
 def read(
@@ -69,8 +69,20 @@ def read(
         For a damaged file, for an animation that does not exist, and for what makes bodies deform: skins, morph targets and
         animated scales. The message names the node.
     """
-    document = Document(path)
-    names = _names_of(document)
+    return animation_of(Document(path), animation, leave_out=leave_out, solid=solid, radius=radius, threads=threads)
+
+
+def animation_of(
+    document: Document,
+    animation: str | int | Sequence[str | int] | None,
+    *,
+    leave_out: Collection[str],
+    solid: str,
+    radius: float,
+    threads: int,
+) -> Animation:
+    """See `read`. The program reads a file once, for all that it does with it."""
+    names = names_of(document)
     chosen = _chosen(document, names, animation)
     tracks = Tracks(document, chosen)
     if tracks.duration == 0:
@@ -97,7 +109,7 @@ def mark(
 
     A marker is a ball at the point of the contact with an arrow along the normal, towards the moving body. It appears at the time
     of the contact, by a key of its scale in the animation. The name of its node says which bodies touch, and when. The extras of
-    the node and of the asset hold the numbers (key "chasles"). A clear answer has no markers.
+    the node and of the asset hold the numbers (key "chasles"). A clear answer has no markers. Markers of a former answer are taken out.
 
     Parameters
     ----------
@@ -120,7 +132,8 @@ def mark(
     return write_marked(document, answers, pathlib.Path(out), size)
 
 
-def _names_of(document: Document) -> list[str]:
+def names_of(document: Document) -> list[str]:
+    """See `animations`."""
     found = [animation.get("name") for animation in document.items("animations")]
     return [name if isinstance(name, str) and name else f"animation {index}" for index, name in enumerate(found)]
 

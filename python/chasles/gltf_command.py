@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import pathlib
 import sys
 from collections.abc import Sequence
 from typing import Any
@@ -13,6 +14,8 @@ from . import gltf
 from ._core import InvalidInput, Limit
 from .enums import Verdict
 from .gltf_answer import AnimationContact, untested_json
+from .gltf_file import Document
+from .gltf_marks import write_marked
 from .program import CLEAR, CONTACT, OUT_OF_TIME, Parser, refuse_input, run
 
 
@@ -78,10 +81,11 @@ def _parser() -> Parser:
 def _answer(options: argparse.Namespace) -> int:
     if options.together and options.animation:
         raise InvalidInput("--together plays all animations; leave out --animation")
-    names = gltf.animations(options.file)
+    document = Document(options.file)  # once: it may be a pipe
+    names = gltf.names_of(document)
     chosen = list(range(len(names))) if options.together else [_number(name, names) for name in options.animation or []]
     shapes: dict[str, Any] = {"solid": options.solid, "radius": options.radius, "threads": options.threads}
-    animation = gltf.read(options.file, chosen or None, leave_out=options.leave_out, **shapes)
+    animation = gltf.animation_of(document, chosen or None, leave_out=options.leave_out, **shapes)
     for out in (options.mark, options.page):
         if out is not None:
             refuse_input(out, animation.files)
@@ -105,7 +109,7 @@ def _answer(options: argparse.Namespace) -> int:
         has_contact, is_over = first.pair is not None, first.verdict == Verdict.unknown
     sys.stdout.flush()
     if options.mark:
-        gltf.mark(options.file, found, options.mark)
+        write_marked(document, found, pathlib.Path(options.mark), None)
     if options.page:
         animation.view(found, options.page)
     return OUT_OF_TIME if is_over else CONTACT if has_contact else CLEAR

@@ -12,12 +12,14 @@ import os
 import pathlib
 import struct
 import urllib.parse
+from functools import cached_property
 from typing import Any, TypeGuard
 
 import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput
+from .read_file import read_file
 
 Array = npt.NDArray[np.float64]
 Json = dict[str, Any]
@@ -39,7 +41,7 @@ COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
 
 
 class Document:
-    """One file. All that is wrong with it raises InvalidInput with the name of the file in front."""
+    """One file, which is read once: it may be a pipe. All that is wrong with it raises InvalidInput with the name of the file in front."""
 
     def __init__(self, path: str | os.PathLike[str]):
         self.path = pathlib.Path(path)
@@ -64,6 +66,11 @@ class Document:
         if kind not in self._items:
             self._items[kind] = self.objects(self.json, kind, "")
         return self._items[kind]
+
+    @cached_property
+    def markers(self) -> frozenset[int]:
+        """The nodes that `chasles.gltf.mark` made. They stand for contacts, and are no bodies."""
+        return frozenset(index for index, node in enumerate(self.items("nodes")) if _is_marker(node))
 
     def item(self, kind: str, index: Any, where: str) -> Json:
         """The object with an index that `where` states."""
@@ -144,16 +151,17 @@ class Document:
 
     def _bytes_of(self, path: pathlib.Path) -> bytes:
         try:
-            return path.read_bytes()
+            return read_file(path)
+        except InvalidInput:
+            raise
         except (OSError, ValueError) as error:
             raise self.fault(f"cannot read {path.name}: {getattr(error, 'strerror', None) or error}") from None
 
     def _chunks(self, data: bytes) -> tuple[bytes, bytes | None]:
-        if len(data) < 20 or struct.unpack_from("<I", data, 8)[0] > len(data):
-            raise self.fault("is truncated: the file is shorter than its header announces")
-        version, length = struct.unpack_from("<II", data, 4)
-        if version != 2:
+        if len(data) >= 8 and (version := struct.unpack_from("<I", data, 4)[0]) != 2:
             raise self.fault(f"is GLB of version {version}; only version 2 is read")
+        if len(data) < 20 or (length := struct.unpack_from("<I", data, 8)[0]) > len(data):
+            raise self.fault("is truncated: the file is shorter than its header announces")
         chunks: dict[int, bytes] = {}
         at = 12
         while at + 8 <= length:
@@ -265,6 +273,12 @@ def is_index(value: Any) -> TypeGuard[float]:
     return (
         isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < 2**53 and value == int(value)
     )
+
+
+def _is_marker(node: Json) -> bool:
+    extras = node.get("extras")
+    event = extras.get("chasles") if isinstance(extras, dict) else None
+    return isinstance(event, dict) and "pair" in event and "mesh" in node and not node.get("children")
 
 
 def _part(sparse: Any, key: str) -> Any:

@@ -7,13 +7,14 @@ import copy
 import os
 import pathlib
 import urllib.parse
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ._core import InvalidInput
 from .gltf_answer import AnimationContact
-from .gltf_file import Document, Json
+from .gltf_file import Document, Json, is_index
 from .program import beside
 from .gltf_tree import roots_of
 
@@ -59,6 +60,9 @@ class Writer:
         self.json: Json = copy.deepcopy(document.json)
         self.more = b""
         self._start = len(document.binary)
+        for kind in ("scenes", "animations"):
+            document.items(kind)  # refuses what is no list of objects
+        _remove(self.json, document.markers)
         for image in self.json.get("images", []):
             _move(image, document.path.parent, out.parent)
         if not self.json.get("scenes"):  # as it is read
@@ -129,6 +133,35 @@ class Writer:
         items = self.json.setdefault(kind, [])
         items.append(item)
         return len(items) - 1
+
+
+def _remove(json: Json, markers: frozenset[int]) -> None:
+    """Takes markers out. Other nodes keep their numbers, so a marker before one of them stays as an empty node."""
+    if not markers:
+        return
+
+    def is_marker(node: Any) -> bool:
+        return is_index(node) and node in markers
+
+    for item, key in [(scene, "nodes") for scene in json.get("scenes", [])] + [
+        (node, "children") for node in json["nodes"]
+    ]:
+        if isinstance(item.get(key), list) and any(map(is_marker, item[key])):
+            item[key] = [node for node in item[key] if not is_marker(node)]
+            if not item[key]:
+                del item[key]  # the schema has no empty lists
+    for animation in json.get("animations", []):
+        if isinstance(animation.get("channels"), list):
+            animation["channels"] = [one for one in animation["channels"] if not is_marker(_target_of(one))]
+    for index in markers:
+        json["nodes"][index] = {}
+    while len(json["nodes"]) - 1 in markers:
+        json["nodes"].pop()
+
+
+def _target_of(channel: Any) -> Any:
+    target = channel.get("target") if isinstance(channel, dict) else None
+    return target.get("node") if isinstance(target, dict) else None
 
 
 def _move(image: Json, old: pathlib.Path, new: pathlib.Path) -> None:

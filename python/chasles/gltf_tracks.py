@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from ._core import Motion, TimedPoses
 from .gltf_cubic import CubicCurve, cubic_motion
-from .gltf_file import Document, Json
+from .gltf_file import Document, Json, is_index
 
 Array = npt.NDArray[np.float64]
 
@@ -122,6 +122,8 @@ class Tracks:
             self._read_pointer(target, place)
         elif "node" not in target:
             self.warnings.append(f"{place}: names no node, and is ignored")
+        elif is_index(target["node"]) and target["node"] in self._document.markers:
+            return
         elif path == "weights":
             self._document.item("nodes", target["node"], place)
             self.morphed.add(int(target["node"]))

@@ -18,6 +18,7 @@ MOST_NODES = 1_000_000
 MOST_DEEP = 1_000  # nodes above a node
 MOST_SKEW = 1e-5  # of what should be rigid: an entry of R^T R - I above a node that moves, or a change of a scale
 ROUNDING = 1e-14  # of the same in double
+MOST_SHOWN = 10  # names in a message
 STATIC = -1
 
 
@@ -51,6 +52,11 @@ class Tree:
         self.parent: dict[int, int] = {}
         self.order = self._walk(roots_of(document))
         self._locals: dict[int, Array] = {}
+        animated = {node for node, _ in tracks.of_node} | tracks.morphed
+        outside = sorted(animated - set(self.order))
+        if outside:
+            shown = ", ".join(map(self.label, outside[:MOST_SHOWN])) + (", ..." if len(outside) > MOST_SHOWN else "")
+            self._warn(f"animated, but outside of the scene, and ignored: {shown}")
 
     def chain(self, node: int) -> list[int]:
         """From the root to the node."""
@@ -68,7 +74,11 @@ class Tree:
             raise self._document.fault(
                 f"leave_out: no node with faces has the name {unknown[0]!r}; there are {_listed(names.values())}"
             )
-        kept = [index for index in with_faces if names[index] not in leave_out]
+        markers = [names[index] for index in with_faces if index in self._document.markers]
+        if markers:
+            self._warn(f"left out, as markers of a former answer (chasles.gltf.mark): {_listed(markers)}")
+        left_out = {*leave_out, *markers}
+        kept = [index for index in with_faces if names[index] not in left_out]
         for index in kept:
             self._refuse_deformed(index, names[index])
         return [self._carrier(index, names[index]) for index in kept]
@@ -308,5 +318,5 @@ def _pose_of(shift: Array, turn: Array) -> Array:
 
 
 def _listed(names: Collection[str]) -> str:
-    shown = sorted(names)[:10]
+    shown = sorted(names)[:MOST_SHOWN]
     return ", ".join(repr(name) for name in shown) + (", ..." if len(names) > len(shown) else "")

@@ -10,12 +10,15 @@ import pathlib
 import signal
 import sys
 import tempfile
+import threading
+import time
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NoReturn
 
 from ._core import Cancelled, InvalidInput
 
+FIRST_LINE, BETWEEN_LINES = 5.0, 10.0  # seconds
 CLEAR, CONTACT, WRONG_INPUT, OUT_OF_TIME, INTERRUPTED = 0, 1, 2, 3, 130
 
 
@@ -36,7 +39,8 @@ def run(parser: Parser, arguments: Sequence[str] | None, answer: Callable[[argpa
         print("chasles: cannot write the answer: standard output is closed", file=sys.stderr)
         return WRONG_INPUT
     try:
-        status = answer(options)
+        with _signs_of_life():
+            status = answer(options)
         sys.stdout.flush()
         return status
     except InvalidInput as error:
@@ -80,6 +84,28 @@ def answers_alone() -> Iterator[None]:
             ctypes.CDLL(None).fflush(None)
         os.dup2(kept, 1)
         os.close(kept)
+
+
+@contextlib.contextmanager
+def _signs_of_life() -> Iterator[None]:
+    """A line on standard error after 5 seconds and then every 10, as all commands write where no bar is seen (cli/progress_bar.cpp)."""
+    is_over, begin = threading.Event(), time.monotonic()
+
+    def write() -> None:
+        after = FIRST_LINE
+        while not is_over.wait(begin + after - time.monotonic()):
+            with contextlib.suppress(OSError, ValueError, AttributeError):  # there is no standard error
+                sys.stderr.write(f"chasles: progress: at work for {after:.0f} s\n")
+                sys.stderr.flush()
+            after += BETWEEN_LINES
+
+    thread = threading.Thread(target=write, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        is_over.set()
+        thread.join()
 
 
 def refuse_input(out: str | os.PathLike[str], inputs: Iterable[pathlib.Path]) -> None:

@@ -207,6 +207,11 @@ TEST(ReadGltf, RefusesWhatIsOutOfRangeOrCut) {
     const std::string whole = glb(square().dump(), square_buffer());
     for (std::size_t size = 0; size < whole.size(); ++size)
         EXPECT_FALSE(message_of([&] { (void)read_gltf(whole.substr(0, size)); }).empty()) << size;
+    const std::string first =
+        "glTF" + bytes_of(std::uint32_t{1}) + bytes_of(std::uint32_t{1000}) + std::string(8, '\0');
+    for (const std::size_t size : {8, 12, 19, 20}) // a file of another version that is cut, too
+        EXPECT_EQ(message_of([&] { (void)read_gltf(first.substr(0, size)); }),
+                  "is GLB of version 1; only version 2 is read");
     std::string binary = square_buffer();
     binary.replace(0, 4, bytes_of(std::numeric_limits<float>::quiet_NaN()));
     EXPECT_EQ(message(square(), binary), "mesh 0: primitive 0: NaN or infinity in its vertices");

@@ -1,7 +1,10 @@
-// Lines that spreadsheets write: no row is lost as a comment, and decimal commas and units are named.
+// Lines that spreadsheets write: no row is lost as a comment, and decimal commas and units are named. So are tables
+// that are no text.
 #include "chasles/io/motion_files.h"
 #include "chasles/io/point_files.h"
 #include "tests/io/message_of.h"
+
+#include <functional>
 
 namespace chasles::io {
 namespace {
@@ -83,6 +86,24 @@ TEST(SpreadsheetLines, NamesUnitsAndDecimalCommas) {
               "line 1: '1,5 2 3,25' has decimal commas; write decimal points");
     EXPECT_EQ(read_point_table("1, 2, 3\n").size(), 1U);
     EXPECT_EQ(read_point_table("1,2,3\n").size(), 1U);
+}
+
+TEST(BinaryTables, AreNamedAndNotQuoted) {
+    using namespace std::string_view_literals;
+    const auto read_rows = [](std::string_view text) { (void)read_motions(text); };
+    const auto read_poses = [](std::string_view text) { (void)read_path(text, WithoutHeader::tum); };
+    const auto read_points = [](std::string_view text) { (void)read_point_table(text); };
+    for (const auto& read : std::vector<std::function<void(std::string_view)>>{read_rows, read_poses, read_points}) {
+        EXPECT_EQ(message_of([&] { read("PAR1\x15\x04\x15\0\x18,PAR1"sv); }),
+                  "is a Parquet file, which is no text: write the table as CSV, or read it in Python "
+                  "(chasles.distributed, or pandas and arrays)");
+        for (const std::string_view bytes : {"PK\3\4\x14\0x,y\n"sv, "x\0,\0y\0\n\0"sv, "x,y\n1,2\n3,4\0\n"sv})
+            EXPECT_EQ(message_of([&] { read(bytes); }),
+                      "is no text: it has zero bytes, as spreadsheets (.xlsx), compressed files and text in UTF-16 "
+                      "have; save the table as CSV in UTF-8");
+        EXPECT_EQ(message_of([&] { read("\xFF\xFEx\0"sv); }), "is text in UTF-16 or UTF-32; save it as UTF-8");
+    }
+    EXPECT_TRUE(refusal_of_path("PAR1,PAR2\n1,2\n").starts_with("line 1: the header 'PAR1, PAR2' has no column x"));
 }
 
 } // namespace

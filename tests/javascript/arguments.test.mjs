@@ -195,7 +195,7 @@ test("an undefined option counts as left out, also one of another question", asy
 
 test("what is no pose is refused with what a pose is", () => {
   const [quaternion, euler] = [new Quaternion(0, 0, 1, 1).normalize(), new Euler(0, 0, 1)];
-  const wayOut = /: a pose is a place with a turn: \{ position, quaternion \}, an Object3D, a Matrix4, or 3, 7 or 16 numbers/;
+  const wayOut = /: a pose is a place with a turn: \{ position: \{ x, y, z \}, quaternion: \{ x, y, z, w \} \}, an Object3D, a Matrix4, or 3, 7 \(x y z qw qx qy qz\) or 16 numbers/;
   for (const given of [quaternion, quaternion.toArray(), euler, euler.toArray(), {}, { position: new Vector3(), rotation: euler }, "0 0 0", 3, new Map()])
     for (const ask of [(pose) => chasles.poseAt(pose, far, 0), (pose) => chasles.scene().add("a", cube, { pose }), (pose) => chasles.firstContactOnPath(cube, cube, [far, pose])]) {
       assert.match(refusal(() => ask(given)), wayOut);
@@ -302,6 +302,31 @@ function dragged(options) {
   scene.add("a", cube);
   return chasles.draggedBody(scene, "a", options);
 }
+
+test("the parts of a pose are named by what they need", async () => {
+  const place = { x: 5, y: 0, z: 0 };
+  const turn = { x: 0, y: 0, z: 0, w: 1 };
+  assert.deepEqual([...chasles.poseAt({ position: place, quaternion: turn }, far, 0)], [5, 0, 0, 1, 0, 0, 0]);
+  const whatItIs = ": a pose is a place with a turn: { position: { x, y, z }, quaternion: { x, y, z, w } }, an Object3D, a Matrix4, or 3, 7 (x y z qw qx qy qz) or 16 numbers";
+  const asked = {
+    "position.x: undefined is not a number": { position: [5, 0, 0], quaternion: [0, 0, 0, 1] },
+    "quaternion.w: undefined is not a number": { position: place, quaternion: [0, 0, 0, 1] },
+    "position.z: undefined is not a number": { position: { x: 5, y: 0 }, quaternion: turn },
+    'quaternion.y: "0" is not a number': { position: place, quaternion: { ...turn, y: "0" } },
+    "scale.x: undefined is not a number": { position: place, quaternion: turn, scale: [1, 1, 1] },
+    "[object Object] is no array of numbers": { position: place },
+  };
+  const workers = await chasles.workers({ count: 1 });
+  for (const [what, pose] of Object.entries(asked)) {
+    assert.equal(refusal(() => chasles.firstContact(cube, cube, pose, far)), `start: ${what}${whatItIs}`);
+    assert.equal(refusal(() => chasles.firstContactOnPath(cube, cube, [far, pose])), `poses[1]: ${what}${whatItIs}`);
+    assert.equal(refusal(() => chasles.scene().add("a", cube, { pose })), `pose: ${what}${whatItIs}`);
+    assert.equal(await refusal(workers.firstContactBatch(cube, cube, [far], [pose])), `motion 0: goal: ${what}${whatItIs}`);
+  }
+  workers.stop();
+  const scaled = { position: place, quaternion: turn, scale: { x: 1, y: 2, z: 1 } };
+  assert.equal(refusal(() => chasles.firstContact(cube, cube, scaled, far)), "start: the object is scaled by 1 2 1, which no pose is");
+});
 
 test("options are objects with known keys, also those of load", async () => {
   for (const start of [load, loadInline]) {

@@ -256,6 +256,31 @@ def test_what_moves_nothing_is_a_warning(file):
     assert animation.first_contact().time == pytest.approx(1.25, abs=1e-9)
 
 
+def test_what_moves_outside_of_the_scene_is_a_warning(file):
+    maker = falling()
+    for number in range(12):
+        maker.animate(
+            maker.add("nodes", {"name": f"lost {number}", "mesh": 0}), "translation", [0, 2], [[0, 3, 0], [0, -1, 0]]
+        )
+    maker.animate(maker.add("nodes", {"mesh": 0}), "weights", [0, 1], [0, 1])
+    animation = chasles.gltf.read(maker.write(file))
+    (text,) = (text for text in animation.warnings if "half turn" not in text)
+    assert text.startswith(
+        "animated, but outside of the scene, and ignored: node 2 ('lost 0'), node 3 ('lost 1'), node 4"
+    )
+    assert text.endswith("node 11 ('lost 9'), ...") and list(animation.bodies) == ["floor", "box"]
+    maker.json["scenes"][0]["nodes"] += range(2, 14)
+    assert "animated, but outside of the scene, and ignored: node 14" in chasles.gltf.read(maker.write(file)).warnings
+
+
+def test_the_version_of_a_glb_is_tested_first(file):
+    """The first version has its length elsewhere, and is often cut, too."""
+    for data in (b"glTF\1\0\0\0", b"glTF\1\0\0\0" + b"\xff" * 12, b"glTF\1\0\0\0" + b"\xff" * 8):
+        file.write_bytes(data)
+        with pytest.raises(chasles.InvalidInput, match="is GLB of version 1; only version 2 is read"):
+            chasles.gltf.read(file)
+
+
 @pytest.mark.parametrize(
     "data", [b"", b"{", b"[]", b"glTF", b"glTF" + b"\0" * 30, b"version https://git-lfs", b"\xff\xfe" * 9, b"[" * 99999]
 )
@@ -313,6 +338,9 @@ def test_damaged_json_gets_one_clear_error(file, tmp_path):
         maker = random_scene(
             np.random.default_rng(number % 5), bodies=2, kinds=[["LINEAR"], ["STEP"], ["CUBICSPLINE"]][number % 3]
         )
+        if number % 2:  # what `mark` made
+            marker = maker.node("marker", mesh=0, extras={"chasles": {"pair": ["a", "b"]}})
+            maker.animate(marker, "scale", [0, 1], [[0, 0, 0], [1, 1, 1]], "STEP")
         path = chance.choice(list(places_in(maker.json)))
         item = maker.json
         for key in path[:-1]:

@@ -63,6 +63,64 @@ def test_a_marker_appears_at_the_time_of_the_contact(file, tmp_path):
     assert again.time == found.time
 
 
+def test_markers_are_no_bodies_and_a_second_answer_replaces_them(file, tmp_path, capsys):
+    animation = chasles.gltf.read(file)
+    marked = chasles.gltf.mark(file, animation.first_contact(find="first_with_all_contacts"), tmp_path / "marked.glb")
+    again = chasles.gltf.read(marked)
+    assert list(again.bodies) == list(animation.bodies) and again.duration == animation.duration
+    (text,) = set(again.warnings) - set(animation.warnings)
+    assert text.startswith(
+        "left out, as markers of a former answer (chasles.gltf.mark): 'contact box on floor at 1.25 s', "
+    )
+    assert again.first_contact().as_json() | {"warnings": []} == animation.first_contact().as_json() | {"warnings": []}
+    status, _, err = run(capsys, marked, "--margin", "1", "--mark", tmp_path / "second.glb")
+    assert status == 1 and err.count("former answer") == 1
+    second = read_back(tmp_path / "second.glb").json
+    plain = read_back(chasles.gltf.mark(file, animation.first_contact(margin=1), tmp_path / "plain.glb")).json
+    for part in (second["nodes"], plain["nodes"]):  # the meshes of former markers stay, so numbers differ
+        del part[2]["mesh"]
+    assert second["nodes"] == plain["nodes"] and second["scenes"] == plain["scenes"]
+    channels = [[one["target"] for one in marks["animations"][0]["channels"]] for marks in (second, plain)]
+    assert channels[0] == channels[1] and len(channels[0]) == 3
+    clear = chasles.gltf.read(jumper(0, 6, 6).write(file)).first_contact()
+    third = read_back(chasles.gltf.mark(marked, clear, tmp_path / "third.glb")).json
+    assert len(third["nodes"]) == len(third["scenes"][0]["nodes"]) == 2 and len(third["animations"][0]["channels"]) == 2
+
+
+def test_markers_between_other_nodes(file, tmp_path):
+    """As after another program added a node: the numbers of nodes stay."""
+    found = chasles.gltf.read(file).first_contact()
+    maker = read_back(chasles.gltf.mark(file, found, tmp_path / "marked.glb"))
+    maker.json["scenes"][0]["nodes"] = [0, 1]
+    rack = maker.node("rack", children=[2])
+    maker.animate(maker.node("late", mesh=0), "translation", [0, 2], [[9, 0, 0], [9, 3, 0]])
+    again = chasles.gltf.read(maker.write(tmp_path / "edited.glb"))
+    assert list(again.bodies) == ["floor", "box", "late"] and again.first_contact().time == found.time
+    marked = read_back(chasles.gltf.mark(tmp_path / "edited.glb", again.first_contact(), tmp_path / "again.glb")).json
+    assert marked["nodes"][2] == {} and marked["nodes"][rack] == {"name": "rack"}
+    assert [node.get("name") for node in marked["nodes"][3:]] == ["rack", "late", "contact box on floor at 1.25 s"]
+    assert [one["target"]["node"] for one in marked["animations"][0]["channels"]] == [1, 1, 4, 5]
+
+
+def test_a_marker_makes_no_animation_longer(tmp_path):
+    maker = falling()
+    maker.animate(
+        maker.node("door", mesh=0, translation=[9, 0, 0]), "translation", [0, 1], [[9, 0, 0], [9, 3, 0]], animation=1
+    )
+    maker.json["animations"].reverse()
+    file = maker.write(tmp_path / "scene.glb")
+    found = chasles.gltf.read(file, [0, 1]).first_contact()
+    marked = chasles.gltf.mark(file, found, tmp_path / "marked.glb")
+    assert found.time == pytest.approx(1.25, abs=1e-9) and chasles.gltf.read(marked, 0).duration == 1
+
+
+@pytest.mark.parametrize("extras", [{"chasles": 1}, {"chasles": {}}, {"other": {"pair": []}}, "chasles"])
+def test_other_extras_make_no_marker(extras, tmp_path):
+    maker = falling()
+    maker.json["nodes"][1]["extras"] = extras
+    assert list(chasles.gltf.read(maker.write(tmp_path / "scene.glb")).bodies) == ["floor", "box"]
+
+
 def test_trimesh_reads_what_was_marked(file, tmp_path):
     trimesh = pytest.importorskip("trimesh")
     found = chasles.gltf.read(file).all_contacts()

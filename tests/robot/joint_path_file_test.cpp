@@ -44,6 +44,15 @@ std::string refused(const std::string& text, const Robot& robot) {
     return message_of([&] { (void)read_configurations(text, robot); });
 }
 
+TEST(JointPathFile, BinaryTablesAreNamed) {
+    EXPECT_TRUE(refused(std::string("PAR1\x15\0", 6), arm()).starts_with("is a Parquet file"));
+    EXPECT_TRUE(refused(std::string("waist\n1\n\0\n", 10), arm()).starts_with("is no text"));
+    EXPECT_EQ(read_configurations("PAR1,PAR2\n0,1\n1,2\n",
+                                  chain_of({{"PAR1", JointType::revolute}, {"PAR2", JointType::revolute}}))
+                  .configurations.size(),
+              2U);
+}
+
 /// Every separator, order of columns and spelling reads as the same path.
 TEST(JointPathFile, ReadsColumnsByNameInAnyOrder) {
     const Robot robot = arm();
