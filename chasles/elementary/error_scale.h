@@ -23,7 +23,7 @@ struct ErrorScale {
     double deviation = 0; ///< of points of the moving body from their true places, in the length unit
     double turn_deviation = 0; ///< of the orientation, in radians
     double axis_deviation = 0; ///< of points along the axis, at most `deviation`
-    algebra::Vector3<double>
+    algebra::Vector3<algebra::DoubleDouble>
         axis{}; ///< of unit length up to rounding, in the frame of the planes and directions; or zero
 };
 
@@ -63,11 +63,12 @@ S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
     } else {
         if (scale.deviation == 0)
             return S(0);
-        constexpr double rounding = 0x1p-46;
-        const algebra::Vector3<double> v{double(vector.x), double(vector.y), double(vector.z)};
-        const double along = dot(v, scale.axis);
-        const double across = length(v - algebra::scale(scale.axis, along)) + rounding * norm1(v);
-        return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * scale.deviation));
+        constexpr double rounding = 0x1p-46, rounding_across = std::is_same_v<S, double> ? rounding : 0x1p-94;
+        const algebra::Vector3<S> axis = algebra::cast<S>(scale.axis);
+        const S along = dot(vector, axis);
+        const double across = length(algebra::cast<double>(vector - algebra::scale(axis, along))) +
+                              rounding_across * double(norm1(vector));
+        return S((1 + rounding) * (std::abs(double(along)) * scale.axis_deviation + across * scale.deviation));
     }
 }
 
@@ -80,13 +81,16 @@ S height_error(const ErrorScale& scale, const algebra::Vector3<S>& vector, const
 /// The same bounds for positions and vectors in the frame of the moving body.
 template <class S>
 ErrorScale in_moving_frame(ErrorScale scale, const motion::ControlMaps<S>& maps) {
-    if (scale.deviation == 0)
-        return scale;
-    algebra::Vector3<double> axis;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            axis[i] += double(maps.rotation.row[j][i][0]) * scale.axis[j] / double(maps.weight[0]);
-    scale.axis = axis;
+    if constexpr (error_unit<S> > 0) {
+        if (scale.deviation == 0)
+            return scale;
+        const algebra::Vector3<S> axis = algebra::cast<S>(scale.axis);
+        algebra::Vector3<S> seen;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                seen[i] = seen[i] + maps.rotation.row[j][i][0] * axis[j] / maps.weight[0];
+        scale.axis = algebra::cast<algebra::DoubleDouble>(seen);
+    }
     return scale;
 }
 

@@ -150,11 +150,25 @@ LinearBound ChordBounds::upper_between(const NearKnot& start, const NearKnot& en
     return {most.start + slack, most.end + slack};
 }
 
-/// The points that are nearest at either end: the better of both bounds.
+/// The points that are nearest at either end: the best of all bounds.
 LinearBound ChordBounds::upper(const NearKnot& start, const NearKnot& end) {
     const LinearBound later{start.distance, way_of_points(start, end)},
         earlier{way_of_points(end, start), end.distance};
-    return later.end - end.distance < earlier.start - start.distance ? later : earlier;
+    const LinearBound best = later.end - end.distance < earlier.start - start.distance ? later : earlier;
+    const double more = std::max(best.start - start.distance, best.end - end.distance);
+    const double of_sliding = more > 0 ? more_of_sliding(start, end) : infinity;
+    return of_sliding < more ? LinearBound{start.distance + of_sliding, end.distance + of_sliding} : best;
+}
+
+/// Where the same edges are nearest at both knots, let two points slide on them, evenly from the nearest ones at one
+/// knot to those at the other. The vector between them is quadratic, and longer than the line by no more.
+double ChordBounds::more_of_sliding(const NearKnot& start, const NearKnot& end) const {
+    if (!start.features || start.features != end.features || start.features->kind != ContactKind::edge_edge)
+        return infinity;
+    const Vector3d later = moved(end.pose, moved_back(start.pose, start.points.on_moving));
+    const Vector3d earlier = moved(start.pose, moved_back(end.pose, end.points.on_moving));
+    const double control = 0.5 * (later + earlier - start.points.on_fixed - end.points.on_fixed).norm();
+    return 0.5 * std::max(0.0, control - 0.5 * (start.distance + end.distance));
 }
 
 /// Two points are nearest at one knot. How far is one of them from a convex part of the other surface, at the other
