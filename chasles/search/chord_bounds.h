@@ -102,7 +102,6 @@ private:
     [[nodiscard]] bool are_beyond(const LinearBound& distance, const BvhNode& moving, const BvhNode& fixed) const;
     /// Likewise the faces below two nodes.
     [[nodiscard]] bool are_faces_beyond(const LinearBound& distance, std::uint32_t moving, std::uint32_t fixed);
-    double least_height(const Body& body, std::uint32_t node, const Direction& along);
     [[nodiscard]] Direction between_middles(const BvhNode& moving, const BvhNode& fixed) const;
 
     const PieceContext& context_;
