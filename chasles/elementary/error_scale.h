@@ -54,6 +54,21 @@ S rounding_error(const ErrorScale& scale) {
     return S(relative_error<S>(scale) * scale.length);
 }
 
+/// The length of a vector across an axis, rounded outward. Only a vector that is nearly along the axis needs more than
+/// double.
+template <class S>
+double length_across(const algebra::Vector3<S>& vector, const algebra::Vector3<algebra::DoubleDouble>& axis) {
+    constexpr double rounding = 0x1p-46, nearly_along = 0x1p-36, refined_rounding = 0x1p-94;
+    const auto across = [](const auto& v, const auto& e) { return v - algebra::scale(e, dot(v, e)); };
+    const auto v = algebra::cast<double>(vector);
+    const double size = norm1(v);
+    const double found = length(across(v, algebra::cast<double>(axis)));
+    if (std::is_same_v<S, double> || found > nearly_along * size)
+        return found + rounding * size;
+    const auto refined = across(algebra::cast<algebra::DoubleDouble>(vector), axis);
+    return (1 + rounding) * length(algebra::cast<double>(refined)) + refined_rounding * size;
+}
+
 /// By how much the product of a position and a vector differs from the true one, without rounding. Source:
 /// docs/derivations/36-heights.md, "Heights".
 template <class S>
@@ -63,12 +78,10 @@ S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
     } else {
         if (scale.deviation == 0)
             return S(0);
-        constexpr double rounding = 0x1p-46, rounding_across = std::is_same_v<S, double> ? rounding : 0x1p-94;
-        const algebra::Vector3<S> axis = algebra::cast<S>(scale.axis);
-        const S along = dot(vector, axis);
-        const double across = length(algebra::cast<double>(vector - algebra::scale(axis, along))) +
-                              rounding_across * double(norm1(vector));
-        return S((1 + rounding) * (std::abs(double(along)) * scale.axis_deviation + across * scale.deviation));
+        constexpr double rounding = 0x1p-46;
+        const double along = dot(algebra::cast<double>(vector), algebra::cast<double>(scale.axis));
+        const double across = length_across(vector, scale.axis);
+        return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * scale.deviation));
     }
 }
 

@@ -1,5 +1,6 @@
 // Plates that slide over each other in parallel planes, on motions that are only enclosed: the heights over the planes
 // are known, however small the gap is. Note 36.
+#include "chasles/base/limit.h"
 #include "chasles/chasles.h"
 #include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
@@ -88,6 +89,7 @@ TEST(PlanarMotions, PlatesThatSlideEvenlyAreClearAtGapsFarBelowRounding) {
         };
         const Motion track = TimedPoses::through({0, 0.4, 1}, {pose(), pose(), pose()});
         for (const Motion& motion : {Motion::velocity(pose(), pose(), random_point(random, 1)), track, track.reversed()}) {
+            const Limit limit(10); // seconds, of which a hundredth is enough
             const FirstContact found = first_contact({.moving = upper, .fixed = lower, .motion = motion});
             EXPECT_EQ(found.verdict, Verdict::clear) << gap;
         }
