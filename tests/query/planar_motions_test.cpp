@@ -88,7 +88,8 @@ TEST(PlanarMotions, PlatesThatSlideEvenlyAreClearAtGapsFarBelowRounding) {
             return turned(place, Vector3d::UnitZ(), random.uniform(0, 1.5));
         };
         const Motion track = TimedPoses::through({0, 0.4, 1}, {pose(), pose(), pose()});
-        for (const Motion& motion : {Motion::velocity(pose(), pose(), random_point(random, 1)), track, track.reversed()}) {
+        for (const Motion& motion :
+             {Motion::velocity(pose(), pose(), random_point(random, 1)), track, track.reversed()}) {
             const Limit limit(10); // seconds, of which a hundredth is enough
             const FirstContact found = first_contact({.moving = upper, .fixed = lower, .motion = motion});
             EXPECT_EQ(found.verdict, Verdict::clear) << gap;
