@@ -41,6 +41,12 @@ auto cross(const Vector3<A>& a, const Vector3<B>& b) {
     return Vector3<Product>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// The vector with components of another type.
+template <class S, class T>
+Vector3<S> cast(const Vector3<T>& a) {
+    return {S(a.x), S(a.y), S(a.z)};
+}
+
 /// The Euclidean length; T needs a square root.
 template <class T>
 T length(const Vector3<T>& a) {

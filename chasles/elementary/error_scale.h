@@ -23,7 +23,7 @@ struct ErrorScale {
     double deviation = 0; ///< of points of the moving body from their true places, in the length unit
     double turn_deviation = 0; ///< of the orientation, in radians
     double axis_deviation = 0; ///< of points along the axis, at most `deviation`
-    algebra::Vector3<double>
+    algebra::Vector3<algebra::DoubleDouble>
         axis{}; ///< of unit length up to rounding, in the frame of the planes and directions; or zero
 };
 
@@ -54,6 +54,21 @@ S rounding_error(const ErrorScale& scale) {
     return S(relative_error<S>(scale) * scale.length);
 }
 
+/// The length of a vector across an axis, rounded outward. Only a vector that is nearly along the axis needs more than
+/// double.
+template <class S>
+double length_across(const algebra::Vector3<S>& vector, const algebra::Vector3<algebra::DoubleDouble>& axis) {
+    constexpr double rounding = 0x1p-46, nearly_along = 0x1p-36, refined_rounding = 0x1p-94;
+    const auto across = [](const auto& v, const auto& e) { return v - algebra::scale(e, dot(v, e)); };
+    const auto v = algebra::cast<double>(vector);
+    const double size = norm1(v);
+    const double found = length(across(v, algebra::cast<double>(axis)));
+    if (std::is_same_v<S, double> || found > nearly_along * size)
+        return found + rounding * size;
+    const auto refined = across(algebra::cast<algebra::DoubleDouble>(vector), axis);
+    return (1 + rounding) * length(algebra::cast<double>(refined)) + refined_rounding * size;
+}
+
 /// By how much the product of a position and a vector differs from the true one, without rounding. Source:
 /// docs/derivations/36-heights.md, "Heights".
 template <class S>
@@ -64,9 +79,8 @@ S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
         if (scale.deviation == 0)
             return S(0);
         constexpr double rounding = 0x1p-46;
-        const algebra::Vector3<double> v{double(vector.x), double(vector.y), double(vector.z)};
-        const double along = dot(v, scale.axis);
-        const double across = length(v - algebra::scale(scale.axis, along)) + rounding * norm1(v);
+        const double along = dot(algebra::cast<double>(vector), algebra::cast<double>(scale.axis));
+        const double across = length_across(vector, scale.axis);
         return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * scale.deviation));
     }
 }
@@ -80,13 +94,16 @@ S height_error(const ErrorScale& scale, const algebra::Vector3<S>& vector, const
 /// The same bounds for positions and vectors in the frame of the moving body.
 template <class S>
 ErrorScale in_moving_frame(ErrorScale scale, const motion::ControlMaps<S>& maps) {
-    if (scale.deviation == 0)
-        return scale;
-    algebra::Vector3<double> axis;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            axis[i] += double(maps.rotation.row[j][i][0]) * scale.axis[j] / double(maps.weight[0]);
-    scale.axis = axis;
+    if constexpr (error_unit<S> > 0) {
+        if (scale.deviation == 0)
+            return scale;
+        const algebra::Vector3<S> axis = algebra::cast<S>(scale.axis);
+        algebra::Vector3<S> seen;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                seen[i] = seen[i] + maps.rotation.row[j][i][0] * axis[j] / maps.weight[0];
+        scale.axis = algebra::cast<algebra::DoubleDouble>(seen);
+    }
     return scale;
 }
 

@@ -7,12 +7,9 @@ namespace chasles::motion {
 
 namespace {
 
-/// Of directions of unit length that are computed in double.
-constexpr double axis_rounding = 0x1p-48;
-
 /// How far a direction that stays up to these rates turns from the middle of the interval.
 double turned(const AxisRates& across, double half) {
-    return across.turn * half + axis_rounding;
+    return across.turn * half + axis_rounding<double>;
 }
 
 /// For a direction that is off by so much.
@@ -54,7 +51,7 @@ std::optional<AxisExpansion> slowed(std::optional<AxisExpansion> expansion, doub
 
 AxisRates turn_across(const Vector3<double>& axis, const Vector3<double>& direction, double rate, double acceleration,
                       double arm) {
-    const double tilt = length(cross(axis, direction)) + axis_rounding;
+    const double tilt = length(cross(axis, direction)) + axis_rounding<double>;
     return {tilt * rate, tilt * acceleration, tilt * rate * rate * arm};
 }
 

@@ -172,6 +172,10 @@ public:
         const Segment segment = segment_of(times);
         return slowed(segment.frame.expansion_about(direction, segment.times), segment.duration);
     }
+    [[nodiscard]] std::optional<Vector3<Wide>> refined_axis(const Bracket& times) const override {
+        const Segment segment = segment_of(times);
+        return segment.frame.refined_axis(segment.times);
+    }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }
     [[nodiscard]] int factors() const override { return factors_; }
@@ -259,6 +263,9 @@ public:
     [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
                                                                const Bracket& times) const override {
         return slowed(frame_->expansion_about(direction, of_frame(times)), 1 / duration_);
+    }
+    [[nodiscard]] std::optional<Vector3<Wide>> refined_axis(const Bracket& times) const override {
+        return frame_->refined_axis(of_frame(times));
     }
     [[nodiscard]] double size() const override { return frame_->size(); }
     [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }

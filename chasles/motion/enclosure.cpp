@@ -68,11 +68,10 @@ EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBou
     return bounds;
 }
 
-AxisBounds bounds_along(const Vector3<double>& axis, const AxisRates& across, double turn_rate, double duration,
-                        const EnclosureBounds& part) {
+AxisBounds bounds_along(const Vector3<algebra::DoubleDouble>& axis, const AxisRates& across, double turn_rate,
+                        double duration, const EnclosureBounds& part, double rounding) {
     const double eighth = 0.125 * duration * duration;
     const double bend = across.turn_acceleration + (3 * turn_rate + across.turn) * across.turn;
-    constexpr double rounding = 0x1p-50; // of the axis in the frame of the moving body
     return {axis, outward * eighth * across.acceleration + part.rounding, outward * eighth * bend + part.turn_rounding,
             outward * 2 * across.turn * duration + part.turn_rounding + rounding};
 }

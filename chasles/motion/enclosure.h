@@ -42,11 +42,18 @@ inline constexpr double most_turn_of_part = 0.25;
 
 /// How far the true motion is from a cubic one over a part, along a direction about which the body all but turns.
 struct AxisBounds {
-    Vector3<double> axis{};    ///< of unit length up to rounding, in the frame of the fixed body; zero: there is none
+    Vector3<algebra::DoubleDouble>
+        axis{};                ///< of unit length up to rounding, in the frame of the fixed body; zero: there is none
     double deviation = 0;      ///< of the reference along it, mesh unit
     double turn_deviation = 0; ///< of a point at the distance 1 from the reference
     double turn = 0;           ///< of the axis as the moving body sees it, radians
 };
+
+/// The rounding of directions of unit length, in radians.
+template <class S>
+inline constexpr double axis_rounding = 0x1p-48;
+template <>
+inline constexpr double axis_rounding<algebra::DoubleDouble> = 0x1p-94;
 
 /// How far the true motion is from a cubic one over a part, and how far it goes.
 struct EnclosureBounds {
@@ -96,9 +103,9 @@ inline constexpr double pose_rounding<algebra::DoubleDouble> = 0x1p-90;
 EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBounds& rates, double duration,
                                  double rounding, double size);
 
-/// The bounds along a direction, for a part with these bounds.
-AxisBounds bounds_along(const Vector3<double>& axis, const AxisRates& across, double turn_rate, double duration,
-                        const EnclosureBounds& part);
+/// The bounds along a direction, for a part with these bounds. `rounding` is that of the direction.
+AxisBounds bounds_along(const Vector3<algebra::DoubleDouble>& axis, const AxisRates& across, double turn_rate,
+                        double duration, const EnclosureBounds& part, double rounding);
 
 /// The sweep about the reference, a point of the moving body. The body must turn by less than a half turn.
 template <class S>

@@ -68,6 +68,9 @@ public:
         return AxisExpansion{expansion(times),
                              turn_across(motion_.direction, direction, motion_.angle, 0, length(motion_.arm))};
     }
+    [[nodiscard]] std::optional<Vector3<Wide>> refined_axis(const Bracket& /*times*/) const override {
+        return motion_.angle > 0 ? std::optional(refined().direction) : std::nullopt;
+    }
     [[nodiscard]] double size() const override { return motion_.size; }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override;
     [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override;

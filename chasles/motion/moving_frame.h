@@ -38,6 +38,12 @@ public:
     /// Likewise, with the rates across a direction of unit length. Empty if the frame does not know them.
     [[nodiscard]] virtual std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
                                                                        const Bracket& times) const;
+    /// A direction about which alone the frame turns during the interval, while its reference moves evenly along it. It
+    /// is of unit length, and off by `axis_rounding` of double-double. Empty if there is none, or the frame does not
+    /// know it; only if `is_refined()`.
+    [[nodiscard]] virtual std::optional<Vector3<Wide>> refined_axis(const Bracket& /*times*/) const {
+        return std::nullopt;
+    }
     /// The sum of the sizes of all lengths that enter the poses, mesh unit.
     [[nodiscard]] virtual double size() const = 0;
     /// The error of poses, in units of `pose_rounding`: the number of elementary motions in the frame.

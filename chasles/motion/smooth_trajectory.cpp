@@ -87,7 +87,7 @@ void SmoothPiece::find_axis(const PartEnds<double>& ends) {
     const auto try_axis = [&](const Vector3<double>& axis) {
         const auto expansion = motion_.relative->expansion_about(axis, times_);
         if (expansion && (!rates_.axis || expansion->across.acceleration < rates_.axis->across.acceleration))
-            rates_.axis = {axis, expansion->across};
+            rates_.axis = {algebra::cast<Wide>(axis), expansion->across};
     };
     const Vector3<double> turn = turn_between(ends.start, ends.goal).v;
     if (const double size = length(turn); size > 0)
@@ -104,9 +104,19 @@ double SmoothPiece::time_at(double tau) const {
 SmoothPiece::Rates SmoothPiece::rates_of(const Bracket& times) const {
     const MovingFrame& frame = *motion_.relative;
     if (rates_.axis)
-        if (const auto expansion = frame.expansion_about(rates_.axis->direction, times))
+        if (const auto expansion = frame.expansion_about(in_double(rates_.axis->direction), times))
             return {expansion->all.bounds, Axis{rates_.axis->direction, expansion->across}};
     return {frame.rates(times), {}};
+}
+
+/// Of a part in double-double. An axis that is known as well leaves nothing but its rounding across it.
+SmoothPiece::Rates SmoothPiece::refined_rates_of(const Bracket& times) const {
+    const auto axis = motion_.relative->refined_axis(times);
+    if (!axis)
+        return rates_of(times);
+    constexpr double off = axis_rounding<Wide>;
+    const RateBounds bounds = motion_.relative->rates(times);
+    return {bounds, Axis{*axis, {off * bounds.turn_rate, off * bounds.turn_acceleration, off * bounds.acceleration}}};
 }
 
 /// The rates of a part cost as much as two poses in double, so those of the piece serve all parts there. Refined poses
@@ -116,7 +126,8 @@ template <class S>
 EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     if (std::is_same_v<S, double> && are_finite(rates_.bounds))
         return bounds_by<S>(rates_, part);
-    return bounds_by<S>(rates_of({time_at(part.lower), time_at(part.upper)}), part);
+    const Bracket times{time_at(part.lower), time_at(part.upper)};
+    return bounds_by<S>(std::is_same_v<S, double> ? rates_of(times) : refined_rates_of(times), part);
 }
 
 /// A body that is fast for a short while is displaced by the rounding of times.
@@ -134,7 +145,8 @@ EnclosureBounds SmoothPiece::bounds_by(const Rates& all, const Bracket& part) co
     bounds.turn_rounding += turn;
     bounds.turn_deviation += turn;
     if (all.axis)
-        bounds.along = bounds_along(all.axis->direction, all.axis->across, rates.turn_rate, duration, bounds);
+        bounds.along = bounds_along(all.axis->direction, all.axis->across, rates.turn_rate, duration, bounds,
+                                    0.25 * axis_rounding<S>);
     return bounds;
 }
 

@@ -78,7 +78,7 @@ private:
     [[nodiscard]] double time_at(double tau) const;
     [[nodiscard]] Enclosure<double> enclosed(const Bracket& part) const;
     struct Axis {
-        Vector3<double> direction;
+        Vector3<algebra::DoubleDouble> direction;
         AxisRates across;
     };
     struct Rates {
@@ -87,6 +87,7 @@ private:
     };
     void find_axis(const PartEnds<double>& ends);
     [[nodiscard]] Rates rates_of(const Bracket& times) const;
+    [[nodiscard]] Rates refined_rates_of(const Bracket& times) const;
     template <class S>
     [[nodiscard]] EnclosureBounds bounds_by(const Rates& all, const Bracket& part) const;
     template <class S>

@@ -1,6 +1,7 @@
 #include "chasles/search/chord_bounds.h"
 
 #include "chasles/base/limit_of_thread.h"
+#include "chasles/culling/node_heights.h"
 #include "chasles/culling/split_nodes.h"
 #include "chasles/search/lasting_overlap.h"
 
@@ -37,12 +38,6 @@ Vector3d moved_back(const motion::MatrixPose& pose, const Vector3d& point) {
 /// straight is then convex in time.
 Vector3d nearest_in_edge(const Body& body, const Feature& edge, const Vector3d& point) {
     return contact::foot_on_segment(body.vertices()[edge.first], body.vertices()[edge.second], point);
-}
-
-/// The least height of a box.
-double lowest(const BvhNode& node, const algebra::Vector3<double>& n) {
-    return std::min(n.x * node.lower[0], n.x * node.upper[0]) + std::min(n.y * node.lower[1], n.y * node.upper[1]) +
-           std::min(n.z * node.lower[2], n.z * node.upper[2]);
 }
 
 bool is_convex(const Body& body, std::uint32_t face) {
@@ -150,11 +145,25 @@ LinearBound ChordBounds::upper_between(const NearKnot& start, const NearKnot& en
     return {most.start + slack, most.end + slack};
 }
 
-/// The points that are nearest at either end: the better of both bounds.
+/// The points that are nearest at either end: the best of all bounds.
 LinearBound ChordBounds::upper(const NearKnot& start, const NearKnot& end) {
     const LinearBound later{start.distance, way_of_points(start, end)},
         earlier{way_of_points(end, start), end.distance};
-    return later.end - end.distance < earlier.start - start.distance ? later : earlier;
+    const LinearBound best = later.end - end.distance < earlier.start - start.distance ? later : earlier;
+    const double more = std::max(best.start - start.distance, best.end - end.distance);
+    const double of_sliding = more > 0 ? more_of_sliding(start, end) : infinity;
+    return of_sliding < more ? LinearBound{start.distance + of_sliding, end.distance + of_sliding} : best;
+}
+
+/// Where the same edges are nearest at both knots, let two points slide on them, evenly from the nearest ones at one
+/// knot to those at the other. The vector between them is quadratic, and longer than the line by no more.
+double ChordBounds::more_of_sliding(const NearKnot& start, const NearKnot& end) const {
+    if (!start.features || start.features != end.features || start.features->kind != ContactKind::edge_edge)
+        return infinity;
+    const Vector3d later = moved(end.pose, moved_back(start.pose, start.points.on_moving));
+    const Vector3d earlier = moved(start.pose, moved_back(end.pose, end.points.on_moving));
+    const double control = 0.5 * (later + earlier - start.points.on_fixed - end.points.on_fixed).norm();
+    return 0.5 * std::max(0.0, control - 0.5 * (start.distance + end.distance));
 }
 
 /// Two points are nearest at one knot. How far is one of them from a convex part of the other surface, at the other
@@ -214,9 +223,9 @@ ChordBounds::Sight ChordBounds::sight_along(const Direction& along) const {
 /// Whether the boxes of two nodes are at least so far apart along one direction, at both ends.
 bool ChordBounds::are_beyond(const LinearBound& distance, const BvhNode& moving, const BvhNode& fixed) const {
     const auto separates = [&](const Sight& sight) {
-        const double of_fixed = lowest(fixed, scale(sight.along, -1.0));
-        return sight.between[0] + lowest(moving, sight.of_moving[0]) + of_fixed >= distance.start &&
-               sight.between[1] + lowest(moving, sight.of_moving[1]) + of_fixed >= distance.end;
+        const double of_fixed = culling::lowest(fixed, scale(sight.along, -1.0));
+        return sight.between[0] + culling::lowest(moving, sight.of_moving[0]) + of_fixed >= distance.start &&
+               sight.between[1] + culling::lowest(moving, sight.of_moving[1]) + of_fixed >= distance.end;
     };
     return std::ranges::any_of(sights_, separates) || separates(sight_along(between_middles(moving, fixed)));
 }
@@ -227,33 +236,12 @@ bool ChordBounds::are_faces_beyond(const LinearBound& distance, std::uint32_t mo
     const Direction way =
         between_middles(context_.moving().bvh().nodes()[moving], context_.fixed().bvh().nodes()[fixed]);
     const Sight& sight = dot(sights_.front().along, way) < 0 ? sights_.back() : sights_.front();
-    const double of_fixed = least_height(context_.fixed(), fixed, scale(sight.along, -1.0));
-    return sight.between[0] + least_height(context_.moving(), moving, sight.of_moving[0]) + of_fixed >=
-               distance.start &&
-           sight.between[1] + least_height(context_.moving(), moving, sight.of_moving[1]) + of_fixed >= distance.end;
-}
-
-/// Of the corners of the faces below a node, from the centre of the hierarchy.
-double ChordBounds::least_height(const Body& body, std::uint32_t node, const Direction& along) {
-    const std::span<const BvhNode> nodes = body.bvh().nodes();
-    const auto centre = motion::vector_in<double>(body.bvh().centre());
-    double least = infinity;
-    nodes_.assign(1, node);
-    while (!nodes_.empty()) {
-        const BvhNode& next = nodes[nodes_.back()];
-        nodes_.pop_back();
-        if (lowest(next, along) >= least)
-            continue;
-        if (next.is_leaf()) {
-            for (const std::uint32_t corner : body.face(next.first))
-                least = std::min(least, dot(along, culling::point_of<double>(body, corner) - centre));
-            continue;
-        }
-        const bool second_is_lower = lowest(nodes[next.first + 1], along) < lowest(nodes[next.first], along);
-        nodes_.push_back(next.first + (second_is_lower ? 0 : 1));
-        nodes_.push_back(next.first + (second_is_lower ? 1 : 0));
-    }
-    return least;
+    const double of_fixed = culling::least_height(context_.fixed(), fixed, scale(sight.along, -1.0), nodes_);
+    const auto gap = [&](std::size_t end) {
+        const double of_moving = culling::least_height(context_.moving(), moving, sight.of_moving[end], nodes_);
+        return sight.between[end] + of_moving + of_fixed;
+    };
+    return gap(0) >= distance.start && gap(1) >= distance.end;
 }
 
 /// A unit direction between the middles of two nodes in the middle of the part.

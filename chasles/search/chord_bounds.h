@@ -92,6 +92,7 @@ private:
     bool are_beyond_at(const NearKnot& knot, double distance);
     [[nodiscard]] LinearBound upper(const NearKnot& start, const NearKnot& end);
     [[nodiscard]] double way_of_points(const NearKnot& from, const NearKnot& to);
+    [[nodiscard]] double more_of_sliding(const NearKnot& start, const NearKnot& end) const;
     std::optional<LinearBound> lower(const culling::SweptBoxes& boxes, const LinearBound& most,
                                      const std::optional<LinearBound>& wanted);
     LinearBound widest_gaps(std::uint32_t moving_face, std::uint32_t fixed_face, const LinearBound& wanted);
@@ -101,7 +102,6 @@ private:
     [[nodiscard]] bool are_beyond(const LinearBound& distance, const BvhNode& moving, const BvhNode& fixed) const;
     /// Likewise the faces below two nodes.
     [[nodiscard]] bool are_faces_beyond(const LinearBound& distance, std::uint32_t moving, std::uint32_t fixed);
-    double least_height(const Body& body, std::uint32_t node, const Direction& along);
     [[nodiscard]] Direction between_middles(const BvhNode& moving, const BvhNode& fixed) const;
 
     const PieceContext& context_;

@@ -18,10 +18,11 @@ Vector3<double> random_vector(Random& random, double size) {
 /// A displacement that the bounds allow: at most so long, and so long along the axis.
 Vector3<double> displacement(Random& random, const ErrorScale& scale) {
     const Vector3<double> any = random_vector(random, 1);
-    const Vector3<double> across = any - algebra::scale(scale.axis, dot(any, scale.axis));
+    const auto axis = algebra::cast<double>(scale.axis);
+    const Vector3<double> across = any - algebra::scale(axis, dot(any, axis));
     const double along = random.uniform(-1, 1) * scale.axis_deviation;
     const double rest = std::sqrt(scale.deviation * scale.deviation - along * along);
-    return algebra::scale(scale.axis, along) + algebra::scale(across, rest / length(across));
+    return algebra::scale(axis, along) + algebra::scale(across, rest / length(across));
 }
 
 TEST(HeightErrors, BoundEveryDisplacement) {
@@ -29,13 +30,14 @@ TEST(HeightErrors, BoundEveryDisplacement) {
     double greatest = 0;
     for (int trial = 0; trial < 10000; ++trial) {
         ErrorScale scale;
-        const Vector3<double> axis = random_vector(random, 1);
-        scale.axis = algebra::scale(axis, 1 / length(axis));
+        Vector3<double> axis = random_vector(random, 1);
+        axis = algebra::scale(axis, 1 / length(axis));
+        scale.axis = algebra::cast<algebra::DoubleDouble>(axis);
         scale.deviation = std::exp(random.uniform(-20, 0));
         scale.axis_deviation = scale.deviation * (random.chance(0.5) ? 0 : random.uniform(0, 1));
         Vector3<double> n = random_vector(random, 3);
         if (random.chance(0.5)) // nearly along the axis
-            n = algebra::scale(scale.axis, random.uniform(-3, 3)) + algebra::scale(n, 1e-9);
+            n = algebra::scale(axis, random.uniform(-3, 3)) + algebra::scale(n, 1e-9);
         const double height = std::abs(dot(n, displacement(random, scale)));
         const double bound = height_deviation<double>(scale, n);
         ASSERT_LE(height, bound) << trial;
@@ -43,6 +45,19 @@ TEST(HeightErrors, BoundEveryDisplacement) {
     }
     std::cout << "at most " << greatest << " of the bound\n";
     EXPECT_GT(greatest, 0.9) << "the bound is sharp";
+}
+
+/// Along an axis that is no double, a vector of double-doubles has nothing across it.
+TEST(HeightErrors, InDoubleDoubleAVectorIsAcrossByItsOwnRoundingOnly) {
+    using Wide = algebra::DoubleDouble;
+    ErrorScale scale;
+    const Vector3<Wide> n{1, 2, 4};
+    scale.axis = algebra::scale(n, Wide(1) / length(n));
+    scale.deviation = 1;
+    EXPECT_LT(double(height_deviation<Wide>(scale, n)), 1e-26);
+    EXPECT_GT(height_deviation<double>(scale, {1, 2, 4}), 1e-17);
+    const Vector3<Wide> off = n + Vector3<Wide>{0, 2e-20, -1e-20}; // by a vector across it
+    EXPECT_GE(double(height_deviation<Wide>(scale, off)), 2.2e-20);
 }
 
 TEST(HeightErrors, WithoutADeviationThereIsNone) {

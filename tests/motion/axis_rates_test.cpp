@@ -1,8 +1,10 @@
 // Heights along an axis: how far the true motion is from the cubic one along a direction, against poses that are
 // computed for themselves. Note 36.
 #include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/control_maps.h"
 #include "chasles/motion/motion.h"
 #include "chasles/motion/screw_path.h"
+#include "chasles/motion/timed_poses.h"
 #include "tests/support/random_poses.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +13,10 @@ namespace chasles::test {
 namespace {
 
 using Eigen::Vector3d;
+using Wide = algebra::DoubleDouble;
 
-Vector3d in_eigen(const motion::Vector3<double>& v) {
-    return {v.x, v.y, v.z};
+Vector3d in_eigen(const motion::Vector3<Wide>& v) {
+    return {double(v.x), double(v.y), double(v.z)};
 }
 
 std::vector<double> random_numbers(Random& random, int count, double size) {
@@ -134,6 +137,52 @@ TEST(AxisRates, WithoutASlideAlongTheAxisOnlyRoundingIsLeft) {
         }
     }
     EXPECT_LT(greatest, 1e-10);
+}
+
+/// A turn about an axis of whole numbers, by a quaternion of whole numbers.
+Pose turned_about(const Vector3d& axis, double cosine, const Vector3d& place) {
+    return {place, Eigen::Quaterniond(cosine, axis.x(), axis.y(), axis.z())};
+}
+
+/// Heights along the axis, times its length, are whole numbers: all ways are across it.
+TEST(AxisRates, DoubleDoubleKeepsHeightsThatNeverChange) {
+    Random random(3604);
+    const Vector3d axis(1, 2, 2), across(2, 1, -2), other(2, -2, 1), point(3, -1, 2);
+    const motion::Vector3<Wide> n{1, 2, 2}, p{3, -1, 2};
+    double greatest = 0, bound = 0;
+    int count = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const auto pose = [&] {
+            return turned_about(axis, random.integer(5, 20),
+                                random.integer(-9, 9) * across + random.integer(-9, 9) * other);
+        };
+        const Motion track = TimedPoses::through({0, 0.25, 1}, {pose(), pose(), pose()});
+        const Motion centred = Motion::velocity(pose(), pose(), {1, 0, 4});
+        for (const Motion& motion : {centred, centred.reversed(), track, track.reversed()}) {
+            const auto pieces = motion.trajectory().pieces();
+            for (std::size_t i = 0; i < pieces->size(); ++i) {
+                const auto part = pieces->at(i)->refined_enclosure({random.uniform(0, 0.5), 1});
+                if (!part || part->bounds.turn == 0) // about or along one axis: not enclosed, or a slide alone
+                    continue;
+                ++count;
+                bound = std::max(bound, 3 * part->bounds.deviation_along_axis({point, 0}));
+                const auto maps = motion::control_maps(part->cubic);
+                for (int k = 0; k < 4; ++k) { // each coefficient is a height, as heights do not change
+                    motion::Vector3<Wide> place;
+                    for (int j = 0; j < 3; ++j)
+                        place[j] = (maps.rotation.row[j][0][k] * p.x + maps.rotation.row[j][1][k] * p.y +
+                                    maps.rotation.row[j][2][k] * p.z + maps.translation[j][k]) /
+                                   maps.weight[k];
+                    const Wide off = dot(n, place) - Wide(5);
+                    greatest = std::max(greatest, std::abs(double(off)));
+                    ASSERT_LE(std::abs(double(off)), 3 * part->bounds.deviation_along_axis({point, 0}));
+                }
+            }
+        }
+    }
+    std::cout << "at most " << greatest << " off, within " << bound << "\n";
+    EXPECT_LT(bound, 1e-22);
+    EXPECT_GT(count, 1000);
 }
 
 } // namespace

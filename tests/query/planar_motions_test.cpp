@@ -1,6 +1,8 @@
 // Plates that slide over each other in parallel planes, on motions that are only enclosed: the heights over the planes
 // are known, however small the gap is. Note 36.
+#include "chasles/base/limit.h"
 #include "chasles/chasles.h"
+#include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +13,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A regular prism with its bottom in the plane z = 0, turned with all its corners.
-Polyhedron plate(std::uint32_t corners, const Eigen::Quaterniond& turn) {
+/// A regular prism, 0.25 high above the plane z = bottom, turned with all its corners.
+Polyhedron plate(std::uint32_t corners, const Eigen::Quaterniond& turn, double bottom = 0) {
     std::vector<Vector3d> vertices;
     std::vector<std::vector<std::uint32_t>> faces(2);
-    for (const double z : {0.0, 0.25})
+    for (const double z : {bottom, bottom + 0.25})
         for (std::uint32_t i = 0; i < corners; ++i) {
             const double angle = 2 * std::numbers::pi * i / corners;
             vertices.push_back(turn * Vector3d(std::cos(angle), std::sin(angle), z));
@@ -71,6 +73,28 @@ TEST(PlanarMotions, PlatesThatSlideAtATinyGapAreClearAtOnce) {
     }
     std::cout << "at most " << most << " elementary tests\n";
     EXPECT_LT(most, 20000U) << "each pair of features is told apart in few parts";
+}
+
+/// The upper plate's bottom is at the gap, the lower one's top at 0. Double-double tells them apart at once: before it
+/// knew the axis, each pair of features divided the motion into as many parts as the gap is small.
+TEST(PlanarMotions, PlatesThatSlideEvenlyAreClearAtGapsFarBelowRounding) {
+    Random random(3624);
+    const Polyhedron upper = plate(12, Eigen::Quaterniond::Identity());
+    const Polyhedron lower = plate(9, Eigen::Quaterniond::Identity(), -0.25);
+    for (int trial = 0; trial < 12; ++trial) {
+        const double gap = std::pow(10, random.uniform(-24, -16));
+        const auto pose = [&] {
+            const Vector3d place(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), gap);
+            return turned(place, Vector3d::UnitZ(), random.uniform(0, 1.5));
+        };
+        const Motion track = TimedPoses::through({0, 0.4, 1}, {pose(), pose(), pose()});
+        for (const Motion& motion :
+             {Motion::velocity(pose(), pose(), random_point(random, 1)), track, track.reversed()}) {
+            const Limit limit(10); // seconds, of which a hundredth is enough
+            const FirstContact found = first_contact({.moving = upper, .fixed = lower, .motion = motion});
+            EXPECT_EQ(found.verdict, Verdict::clear) << gap;
+        }
+    }
 }
 
 /// Both overlap, seen along the axis, whatever the turn is.

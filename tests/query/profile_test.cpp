@@ -217,6 +217,22 @@ TEST(Profile, EqualGapsOnBothSidesCostWhatOneGapCosts) {
     EXPECT_LT(equal.work.node_pairs, 4 * unequal.work.node_pairs);
 }
 
+/// The nearest points run along two edges that cross, while the gap stays or changes evenly.
+TEST(Profile, GapsOfEdgesThatCrossTakeFewSteps) {
+    const Polyhedron bar = make_box({4, 0.5, 0.5});
+    for (const double gap : {1e-6, 1e-3}) {
+        for (const double rise : {0.0, 0.25 * gap}) {
+            const Pose start = turned({0, 0, 0.5 + gap}, Vector3d::UnitZ(), 0.5);
+            const Pose goal = turned({0.3, 0.2, 0.5 + gap + rise}, Vector3d::UnitZ(), 1.5);
+            const DistanceProfile found = ask(bar, bar, Motion::velocity(start, goal), {.absolute_tolerance = 1e-8});
+            expect_narrow(found, 1e-2, 1e-8);
+            expect_holds(
+                found, [&](double time) { return gap + rise * time; }, 1000);
+            EXPECT_LT(found.times.size(), gap < 1e-4 ? 20000U : 1000U) << gap;
+        }
+    }
+}
+
 TEST(Profile, TellsAnOverlapThatIsAllowedFromTouch) {
     const Polyhedron cube = make_box({1, 1, 1});
     const Motion slide =
