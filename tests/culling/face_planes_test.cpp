@@ -112,7 +112,7 @@ TEST(FacePlanes, FacesThatMeetOnEnclosedMotionsAreKept) {
         const auto enclosure = piece->enclosure({interval.lower, interval.upper});
         if (!enclosure)
             continue;
-        const auto& e = enclosure->bounds.along.axis;
+        const auto e = motion::in_double(enclosure->bounds.along.axis);
         const Eigen::Vector3d axis(e.x, e.y, e.z);
         const bool small_moves = random.chance(0.5);
         const Touching pair(random, small_moves ? point : there * point, small_moves ? there * point : point,

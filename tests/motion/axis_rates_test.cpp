@@ -13,9 +13,8 @@ namespace chasles::test {
 namespace {
 
 using Eigen::Vector3d;
-using Wide = algebra::DoubleDouble;
 
-Vector3d in_eigen(const motion::Vector3<Wide>& v) {
+Vector3d in_eigen(const motion::Vector3<algebra::DoubleDouble>& v) {
     return {double(v.x), double(v.y), double(v.z)};
 }
 
@@ -148,7 +147,7 @@ Pose turned_about(const Vector3d& axis, double cosine, const Vector3d& place) {
 TEST(AxisRates, DoubleDoubleKeepsHeightsThatNeverChange) {
     Random random(3604);
     const Vector3d axis(1, 2, 2), across(2, 1, -2), other(2, -2, 1), point(3, -1, 2);
-    const motion::Vector3<Wide> n{1, 2, 2}, p{3, -1, 2};
+    const motion::Vector3<algebra::DoubleDouble> n{1, 2, 2}, p{3, -1, 2};
     double greatest = 0, bound = 0;
     int count = 0;
     for (int trial = 0; trial < 100; ++trial) {
@@ -168,12 +167,12 @@ TEST(AxisRates, DoubleDoubleKeepsHeightsThatNeverChange) {
                 bound = std::max(bound, 3 * part->bounds.deviation_along_axis({point, 0}));
                 const auto maps = motion::control_maps(part->cubic);
                 for (int k = 0; k < 4; ++k) { // each coefficient is a height, as heights do not change
-                    motion::Vector3<Wide> place;
+                    motion::Vector3<algebra::DoubleDouble> place;
                     for (int j = 0; j < 3; ++j)
                         place[j] = (maps.rotation.row[j][0][k] * p.x + maps.rotation.row[j][1][k] * p.y +
                                     maps.rotation.row[j][2][k] * p.z + maps.translation[j][k]) /
                                    maps.weight[k];
-                    const Wide off = dot(n, place) - Wide(5);
+                    const algebra::DoubleDouble off = dot(n, place) - algebra::DoubleDouble(5);
                     greatest = std::max(greatest, std::abs(double(off)));
                     ASSERT_LE(std::abs(double(off)), 3 * part->bounds.deviation_along_axis({point, 0}));
                 }

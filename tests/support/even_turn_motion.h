@@ -113,6 +113,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const { return whole_.at(time); }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
     [[nodiscard]] static motion::SharedTrajectory reversed() { return nullptr; } // no test asks for it
+    [[nodiscard]] static motion::MotionDescription description() { return {}; }
 
     [[nodiscard]] EvenTurnPiece piece(std::size_t index) const {
         return {whole_, index == 0 ? 0 : ends_[index - 1], ends_[index]};
