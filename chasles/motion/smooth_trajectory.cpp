@@ -10,6 +10,7 @@
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace chasles::motion {
@@ -47,15 +48,27 @@ bool are_finite(const RateBounds& rates) {
     return std::isfinite(rates.turn_acceleration) && std::isfinite(rates.acceleration);
 }
 
+/// The way of a motion in sections. Most are made in microseconds, so that a question has something to start from at
+/// any limit; bounds that the user computes may take long.
+struct MadeSections {
+    std::vector<Section>& all;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+
+    void throw_if_late() const {
+        if (is_cancelled() && std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(50))
+            throw Cancelled();
+    }
+};
+
 /// Appends the interval between two times, or parts of it in which the body turns little. `poses` are those at its
-/// ends. Throws Cancelled: bounds that the user computes may take long.
+/// ends. Throws Cancelled if that takes long.
 void append_sections(const MovingFrame& frame, const Bracket& times, const PartEnds<double>& poses,
-                     std::vector<Section>& sections, int divisions = 0) {
-    throw_if_cancelled();
+                     const MadeSections& sections, int divisions = 0) {
+    sections.throw_if_late();
     const double duration = times.upper - times.lower;
     const RateBounds rates = frame.rates(times);
     if (rates.turn_rate * duration <= most_turn_of_part) {
-        sections.push_back({times, rates, poses});
+        sections.all.push_back({times, rates, poses});
         return;
     }
     if (divisions == most_divisions)
@@ -204,6 +217,7 @@ void Sections::make() const {
     cuts.push_back(1);
     chasles::sort(cuts);
     sections_.clear(); // the first try may have ended in an error
+    const MadeSections made{sections_};
     Bracket times{0, 0};
     PartEnds<double> poses{{}, frame_->at(0)};
     for (const double cut : cuts) {
@@ -211,7 +225,7 @@ void Sections::make() const {
             continue; // twice the same
         times = {times.upper, cut};
         poses = {poses.goal, frame_->at(cut)};
-        append_sections(*frame_, times, poses, sections_);
+        append_sections(*frame_, times, poses, made);
     }
 }
 
