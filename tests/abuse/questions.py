@@ -63,7 +63,12 @@ QUESTIONS = {
         Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
         Question("profile", ("profile", *BODIES, "MOTION"), BODIES, (file("--csv"), file("--plot"))),
         Question("view", ("view", *BODIES, "MOTION"), BODIES, (file("--out"),)),
-        Question("path", ("path", *BODIES, "--poses", "poses.csv", "--motion", "velocity"), (*BODIES, "poses.csv")),
+        Question(
+            "path",
+            ("path", *BODIES, "--poses", "poses.csv", "--motion", "velocity"),
+            (*BODIES, "poses.csv"),
+            (file("--certificate"),),
+        ),
         Question(
             "batch",
             ("batch", *BODIES, "--motions", "motions.csv", "--motion", "velocity"),

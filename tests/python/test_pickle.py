@@ -200,13 +200,17 @@ def falling():
     return world
 
 
+# Modules of the package's own use.
+OWN_USE = ("placed", "partitions", "questions", "gate_question", "program", "robot_tree", "ros_node", "ros_path", "ros_followers")
+
+
 def public_types():
     types = {name: value for name, value in vars(chasles).items() if isinstance(value, type)}
     found = {name for name, value in types.items() if value.__module__.startswith("chasles")}
     for file in pathlib.Path(chasles.__file__).parent.glob("[a-z]*.py"):
         # tests of the adapters pickle what they have, such as an Audit
         is_optional = file.stem in ("ompl", "lerobot", "pinocchio") or file.stem.startswith(("mujoco", "drake", "gltf", "cad"))
-        if is_optional or file.stem in ("placed", "partitions", "questions", "gate_question", "program", "robot_tree", "ros_node"):  # or of the package's own use
+        if is_optional or file.stem in OWN_USE:
             continue
         module = importlib.import_module(f"chasles.{file.stem}")
         for name, value in vars(module).items():
