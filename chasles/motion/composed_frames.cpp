@@ -192,19 +192,13 @@ public:
     }
     /// Only of frames that are one link each.
     [[nodiscard]] bool add_links(ChainLinks& chain, bool is_inverse) const override {
-        ChainLink all;
-        for (std::size_t i = 0; i < frames_.size(); ++i) {
-            ChainLinks part;
-            if (!frames_[i]->add_links(part, is_inverse) || part.links().size() != 1 ||
-                part.links()[0].poses.size() != 2)
-                return false;
-            const ChainLink& link = part.links()[0];
-            if (i == 0)
-                all = link;
-            else
-                all.poses.push_back(link.poses[1]);
+        ChainLinks all;
+        bool fits = frames_.front()->add_links(all, is_inverse) && all.links().size() == 1;
+        for (std::size_t i = 1; fits && i < frames_.size(); ++i) {
+            ChainLinks next;
+            fits = frames_[i]->add_links(next, is_inverse) && all.append(next);
         }
-        return chain.add(std::move(all), ends_);
+        return fits && chain.add(all.links().front(), ends_);
     }
 
 private:
