@@ -86,6 +86,15 @@ TEST_P(CertifiedMotions, AreVerified) {
     EXPECT_GT(count[Verdict::contact_at_start], 1);
 }
 
+TEST(CertifiedTracks, NameThePieceOfTheContact) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    const Pose end(Eigen::Vector3d(0.2, 0.1, 0), Eigen::Quaterniond(0.9, 0.1, 0, 0.3));
+    const Motion track = TimedPoses::through({0, 1, 3}, {shifted(3, 0, 0), shifted(3, 3, 0), end});
+    const Certificate proof = certify({cube, cube, track});
+    EXPECT_NE(proof.text.find("verdict contact 1 "), std::string::npos) << proof.text;
+    EXPECT_TRUE(checked(cube, cube, proof.text).holds) << checked(cube, cube, proof.text).message;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, CertifiedMotions,
                          ::testing::Values("screw of two", "sweep", "sweep of two", "velocity", "twist",
                                            "velocity of two", "twist of two", "track", "hinge", "slider", "polynomial",
