@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] Vector3<S> place(const Corner& corner, const S& tau) const {
         const Map at = State(*this, tau, {}, 0).place;
-        return at.linear * Vector3<S>{S(corner.x), S(corner.y), S(corner.z)} + at.shift;
+        return at.linear * algebra::cast<S>(corner) + at.shift;
     }
     [[nodiscard]] Vector3<S> turned(const Vector3<S>& direction, const S& tau) const {
         return State(*this, tau, {}, 0).place.linear * direction;
@@ -105,8 +105,7 @@ private:
         }
         /// Of the value at the centre of the node.
         [[nodiscard]] double size(const Map& map) const {
-            const Vector3<S> centre{S(node_.centre.x), S(node_.centre.y), S(node_.centre.z)};
-            const Vector3<S> value = map.linear * centre + map.shift;
+            const Vector3<S> value = map.linear * algebra::cast<S>(node_.centre) + map.shift;
             return std::sqrt(double(dot(value, value)));
         }
 

@@ -77,28 +77,16 @@ std::string chain_lines(const std::vector<ChainLink>& links, std::size_t pieces)
     return text;
 }
 
-template <class S>
-Matrix3<S> matrix_in(const Matrix3<DoubleDouble>& m) {
-    Matrix3<S> result;
-    for (int i = 0; i < 3; ++i)
-        result.row[i] = {S(m.row[i].x), S(m.row[i].y), S(m.row[i].z)};
-    return result;
-}
-
-template <class S>
-Vector3<S> in(const Wide& v) {
-    return {S(v.x), S(v.y), S(v.z)};
-}
-
-template <class S>
-EvenLink<S> rounded(const EvenLink<DoubleDouble>& link) {
-    return {link.is_inverse,    matrix_in<S>(link.orientation),
-            in<S>(link.arm),    in<S>(link.place),
-            in<S>(link.travel), in<S>(link.axis),
-            S(link.angle),      S(link.rate)};
-}
-
 using WideLink = EvenLink<DoubleDouble>;
+
+EvenLink<double> rounded(const WideLink& link) {
+    using motion::in_double;
+    const auto& rows = link.orientation.row;
+    return {link.is_inverse,        {{in_double(rows[0]), in_double(rows[1]), in_double(rows[2])}},
+            in_double(link.arm),    in_double(link.place),
+            in_double(link.travel), in_double(link.axis),
+            double(link.angle),     double(link.rate)};
+}
 
 WideLink even_link(const ChainLink& link, std::size_t piece) {
     const auto kind = link.kind == ChainLink::Kind::velocity ? motion::EvenKind::velocity : motion::EvenKind::twist;
@@ -154,7 +142,7 @@ CertifiedPiece chain_piece(const std::vector<ChainLink>& given, std::size_t piec
     double size = 0;
     for (const ChainLink& link : given) {
         links.push_back(wide_link(link, piece));
-        in_double.push_back(rounded<double>(links.back()));
+        in_double.push_back(rounded(links.back()));
         size += size_of(links.back().place) + size_of(links.back().travel) + size_of(links.back().arm);
     }
     return {ChainPiece(std::move(links)), ChainPiece(std::move(in_double)), size, false};
@@ -177,17 +165,18 @@ void CertifiedMotion::add(const Motion& motion) {
     if (next.kind == Kind::other)
         refuse("the motion is none of those that are certified: screws, sweeps, and products of poses, velocities, "
                "twists, hinges and sliders that move evenly between the same times");
-    const std::size_t first = parts_.empty() ? 0 : piece_count();
-    if (next.kind == Kind::chain)
-        parts_.push_back({motion, first, next.chain.times()});
-    else if (next.kind == Kind::sweep)
-        parts_.push_back({motion, first, {0, 1}});
-    else
+    const bool is_first = parts_.empty();
+    const auto add_part = [&](const Motion& part, std::vector<double> times) {
+        parts_.push_back({part, parts_.empty() ? 0 : piece_count(), std::move(times)});
+    };
+    if (next.kind == Kind::screw)
         for (const motion::MotionEnds& ends : next.pieces)
-            parts_.push_back({screw_of(ends), parts_.empty() ? 0 : piece_count(), {0, 1}});
+            add_part(screw_of(ends), {0, 1});
+    else
+        add_part(motion, next.chain.times());
     if (next.kind == Kind::sweep && !(0 < double(motion::SweepPiece(next.pieces[0], next.centre).cubic().end_cosine)))
         refuse("the sweep is a half turn");
-    if (first == 0)
+    if (is_first)
         whole_ = std::move(next);
     else if (!whole_.append(next))
         refuse("the motions of the path are of several kinds, or one does not begin where the last one ends");

@@ -19,7 +19,7 @@ using Corner = Vector3<double>;
 using Wide = Vector3<DoubleDouble>;
 
 inline Wide widened(const Corner& v) {
-    return {DoubleDouble(v.x), DoubleDouble(v.y), DoubleDouble(v.z)};
+    return algebra::cast<DoubleDouble>(v);
 }
 
 /// Part of a piece, in tau.

@@ -24,7 +24,7 @@ public:
     }
 
     [[nodiscard]] Vector3<S> place(const Corner& corner, const S& tau) const {
-        const Vector3<S> b{S(corner.x), S(corner.y), S(corner.z)};
+        const Vector3<S> b = algebra::cast<S>(corner);
         Vector3<S> sum = shift_[3];
         for (int k = 2; k >= 0; --k)
             sum = scale(sum, tau) + (linear_[std::size_t(k)] * b + shift_[std::size_t(k)]);

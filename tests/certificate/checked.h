@@ -6,6 +6,7 @@
 #include "tests/support/random_poses.h"
 #include "tools/verify.h"
 
+#include <gtest/gtest.h>
 #include <random>
 #include <sstream>
 
@@ -32,6 +33,17 @@ inline std::string word_of(Verdict verdict) {
     return verdict == Verdict::clear     ? "verdict clear\n"
            : verdict == Verdict::contact ? "verdict contact "
                                          : "verdict start\n";
+}
+
+/// Asserts that the answer is certified, and that the checker verifies it.
+inline Certificate expect_verified(const FirstContactQuery& query, Verdict verdict) {
+    const Certificate proof = certify(query);
+    EXPECT_EQ(proof.missing, "") << proof.text;
+    EXPECT_NE(proof.text.find(word_of(verdict)), std::string::npos) << proof.text;
+    const ::certificate::Verified verified = checked(query.moving, query.fixed, proof.text);
+    EXPECT_TRUE(verified.holds) << verified.message << "\n" << proof.text;
+    EXPECT_TRUE(is_about(proof.text, query.motion));
+    return proof;
 }
 
 /// Octahedra and boxes of several sizes, some with a radius, some as surfaces.
