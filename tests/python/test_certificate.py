@@ -33,6 +33,12 @@ def write(path, vertices, faces):
     return str(path)
 
 
+def pair(rng, folder):
+    """The files of two blocks, and the bodies."""
+    files = write(folder / "a.obj", *block(rng)), write(folder / "b.obj", *block(rng))
+    return files, [chasles.load(file) for file in files]
+
+
 def checked(moving, fixed, text, folder):
     (folder / "a.cert").write_text(text)
     return verify.main([moving, fixed, str(folder / "a.cert")])
@@ -79,9 +85,7 @@ def test_every_kind_of_motion_is_verified_by_both(kind, tmp_path):
     rng = np.random.default_rng(50)
     verdicts = set()
     for _ in range(16):
-        a, b = block(rng), block(rng)
-        files = write(tmp_path / "a.obj", *a), write(tmp_path / "b.obj", *b)
-        bodies = [chasles.load(file) for file in files]
+        files, bodies = pair(rng, tmp_path)
         motion = KINDS[kind](rng)
         found = chasles.first_contact(*bodies, motion=motion, margin=rng.uniform(0, 0.2))
         text = found.certificate()
@@ -97,9 +101,7 @@ def test_paths_are_verified_by_both(motion, tmp_path):
     rng = np.random.default_rng(51)
     segments = set()
     for _ in range(12):
-        a, b = block(rng), block(rng)
-        files = write(tmp_path / "a.obj", *a), write(tmp_path / "b.obj", *b)
-        bodies = [chasles.load(file) for file in files]
+        files, bodies = pair(rng, tmp_path)
         poses = np.array([pose(rng, 3) for _ in range(4)])
         found = chasles.first_contact_on_path(*bodies, poses, motion=motion)
         text = found.certificate()
@@ -117,9 +119,7 @@ def test_paths_are_verified_by_both(motion, tmp_path):
 
 def test_both_checkers_agree_on_what_is_altered(tmp_path):
     rng = np.random.default_rng(49)
-    a, b = block(rng), block(rng)
-    files = write(tmp_path / "a.obj", *a), write(tmp_path / "b.obj", *b)
-    bodies = [chasles.load(file) for file in files]
+    files, bodies = pair(rng, tmp_path)
     motion = chasles.ScrewMotion.between([3, 0.1, 0.2, 1, 0, 0, 0], [0.3, 0, 0, 0.9, 0.1, 0.3, 0])
     text = chasles.first_contact(*bodies, motion=motion).certificate()
     accepted = 0
