@@ -15,7 +15,7 @@ namespace {
 
 struct CheckOptions {
     OneMotionOptions question;
-    std::string certificate;
+    CertificateOptions certificate;
     bool json = false;
 };
 
@@ -24,11 +24,11 @@ int run_check(const CheckOptions& options) {
     const Limit limit(question.seconds); // of the answer and its certificate
     const FirstContact found = first_contact(question);
     view::Json answer = view::answer_json(found, question.numbers);
-    const bool is_in_time = options.certificate.empty() || write_certificate({.moving = question.bodies.moving,
-                                                                              .fixed = question.bodies.fixed,
-                                                                              .motions = {question.motion},
-                                                                              .options = question.options},
-                                                                             options.certificate, answer);
+    const auto prove = [&] {
+        return certify(
+            FirstContactQuery{question.bodies.moving, question.bodies.fixed, question.motion, question.options});
+    };
+    const bool is_in_time = write_certificate(options.certificate, prove, answer);
     add_warnings(answer, question.bodies.warnings);
     if (options.json)
         print(answer.dump() + "\n");

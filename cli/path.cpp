@@ -26,7 +26,7 @@ struct PathOptions {
     QuestionOptions query;
     MotionOptions motion;
     std::string poses;
-    std::string certificate;
+    CertificateOptions certificate;
     bool json = false;
 };
 
@@ -181,11 +181,13 @@ int run_path(const PathOptions& options) {
     const PathContact& found = answer.found;
     const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
     view::Json json = path_json(found, motion, question);
-    const bool is_in_time = options.certificate.empty() || write_certificate({.moving = question.bodies.moving,
-                                                                              .fixed = question.bodies.fixed,
-                                                                              .motions = motions_of(question),
-                                                                              .options = question.options},
-                                                                             options.certificate, json);
+    const auto prove = [&] {
+        return certify(chasles::PathQuery{.moving = question.bodies.moving,
+                                          .fixed = question.bodies.fixed,
+                                          .motions = motions_of(question),
+                                          .options = question.options});
+    };
+    const bool is_in_time = write_certificate(options.certificate, prove, json);
     print(options.json ? json.dump() + "\n" : path_report(answer, motion, question));
     return is_in_time ? status_of(found.contact.verdict) : is_unknown;
 }

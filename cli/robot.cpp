@@ -104,11 +104,11 @@ std::string with_motion(view::Json answer, const RobotQuestion& question) {
     return answer.dump() + "\n";
 }
 
-std::string answer_json(const RobotQuestion& question, const RobotAnswer& found, const std::vector<RobotPair>& others) {
+view::Json answer_json(const RobotQuestion& question, const RobotAnswer& found, const std::vector<RobotPair>& others) {
     view::Json answer = view::robot_answer_json(question.robot, found, question.has_stamps);
     for (const RobotPair& pair : others)
         answer["also"].push_back({pair.first, pair.second});
-    return with_motion(std::move(answer), question);
+    return answer;
 }
 
 std::string clearance_json(const RobotQuestion& question, const RobotClearance& found, ExitStatus status) {
@@ -189,6 +189,12 @@ RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& questi
     }
 }
 
+Certificate proof_of(const RobotChecker& checker, const RobotQuestion& question) {
+    if (!question.handovers.empty())
+        throw InvalidInput("certificate: answers with --handover are not certified");
+    return certify(checker, question.path);
+}
+
 /// After the verdict: the page of a long path takes longer than the answer.
 void write_page(OutputFile& page, const RobotCommand& options, const RobotQuestion& question, const JointPath& path,
                 const RobotAnswer& found, std::optional<view::Curve> curve) {
@@ -221,14 +227,16 @@ int run_robot(const RobotCommand& options) {
     warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps)
         view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
-    print(options.json ? answer_json(question, found, others) : robot_report(question, found, others));
+    view::Json json = answer_json(question, found, others);
+    const bool is_in_time = write_certificate(options.certificate, [&] { return proof_of(checker, question); }, json);
+    print(options.json ? with_motion(std::move(json), question) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)
         write_page(*page, options, question, path, found,
                    options.wants_curve
                        ? std::optional(view::curve_of(checker, path, question.options.margin, question.handovers))
                        : std::nullopt);
-    return status_of(found.verdict);
+    return is_in_time ? status_of(found.verdict) : is_unknown;
 }
 
 } // namespace
@@ -293,6 +301,9 @@ void add_robot(CLI::App& app, Task& task) {
             ->excludes(profile)
             ->type_name("FILE");
     add_curve_option(command, options->wants_curve)->needs(page);
+    auto* const certificate = add_certificate_option(command, options->certificate);
+    certificate->excludes(any)->excludes(clearance)->excludes(profile);
+    add_bodies_option(command, options->certificate, certificate);
     command.callback([options, &task] {
         task = [options] {
             require_question_of(options->tolerance, options->finds_clearance || options->finds_profile);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/robot/joint_path_file.h"
+#include "cli/certificate_file.h"
 #include "cli/options.h"
 #include "cli/profile_report.h"
 #include "cli/robot_changes.h"
@@ -21,6 +22,7 @@ struct RobotCommand {
     std::vector<std::string> handovers; ///< TIME,PART,LINK and more links that may touch the part
     std::string scene;
     std::string page;
+    CertificateOptions certificate;
     QuestionOptions query;
     bool finds_clearance = false;
     bool finds_profile = false;

@@ -1,5 +1,6 @@
 // chasles scene: many bodies in one world.
 #include "chasles/io/text_scan.h"
+#include "cli/certificate_file.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
@@ -35,6 +36,7 @@ struct SceneOptions {
     std::string seconds;   ///< empty: no limit
     std::string tolerance; ///< of the clearance or the profile; empty: that of the library
     ProfileFlags profile;
+    CertificateOptions certificate;
     std::string page; ///< empty: none
     std::string title;
     bool finds_clearance = false;
@@ -153,9 +155,9 @@ private:
 };
 
 std::string report_of(const SceneOptions& options, const SceneFile& file, const SceneAnswer& answer,
-                      const SceneQuery& asked) {
+                      const SceneQuery& asked, const view::Json& json) {
     if (options.json)
-        return json_line(view::scene_answer_json(file.scene, answer, options.all), file);
+        return json_line(json, file);
     return options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
 }
 
@@ -206,10 +208,13 @@ int run_scene(const SceneOptions& options) {
     bar.reset();
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
-    print(report_of(options, file, answer, query));
+    view::Json json = view::scene_answer_json(file.scene, answer, options.all);
+    const bool is_in_time =
+        write_certificate(options.certificate, [&] { return certify(file.scene, query); }, json);
+    print(report_of(options, file, answer, query, json));
     print_warnings(file.warnings);
     page.write(file.scene, answer, query);
-    return status_of(answer.verdict);
+    return is_in_time ? status_of(answer.verdict) : is_unknown;
 }
 
 } // namespace
@@ -272,6 +277,9 @@ void add_scene(CLI::App& app, Task& task) {
     command
         .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
         ->excludes(any);
+    auto* const certificate = add_certificate_option(command, options->certificate);
+    certificate->excludes(all)->excludes(any)->excludes(clearance)->excludes(profile)->excludes(matrix);
+    add_bodies_option(command, options->certificate, certificate);
     command.add_option("--threads", options->polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
     add_seconds_option(command, options->seconds);

@@ -7,12 +7,13 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace chasles::cli {
 namespace {
 
 struct VerifyOptions {
-    std::string moving, fixed, certificate;
+    std::vector<std::string> files; ///< meshes, then the certificate
 };
 
 ::certificate::Mesh mesh_of(const std::string& file) {
@@ -24,11 +25,13 @@ struct VerifyOptions {
 }
 
 int run_verify(const VerifyOptions& options) {
-    const ::certificate::Mesh moving = mesh_of(options.moving), fixed = mesh_of(options.fixed);
-    std::ifstream stream(options.certificate, std::ios::binary);
+    std::vector<::certificate::Mesh> meshes;
+    for (std::size_t i = 0; i + 1 < options.files.size(); ++i)
+        meshes.push_back(mesh_of(options.files[i]));
+    std::ifstream stream(options.files.back(), std::ios::binary);
     if (!stream)
-        throw InvalidInput(options.certificate + ": cannot be read");
-    const ::certificate::Verified verified = ::certificate::verify(moving, fixed, stream);
+        throw InvalidInput(options.files.back() + ": cannot be read");
+    const ::certificate::Verified verified = ::certificate::verify(meshes, stream);
     print(verified.message + "\n");
     return verified.holds ? is_clear : is_contact;
 }
@@ -40,9 +43,13 @@ void add_verify(CLI::App& app, Task& task) {
     CLI::App& command = *app.add_subcommand("verify", "Does a certificate prove what it claims?");
     command.footer(
         "Exit status: 0 verified, 1 not verified, 2 usage or a file that cannot be read. Meshes are OBJ or STL files.");
-    command.add_option("MOVING", options->moving, "mesh of the moving body")->required();
-    command.add_option("FIXED", options->fixed, "mesh of the fixed body")->required();
-    command.add_option("CERTIFICATE", options->certificate, "what --certificate wrote")->required();
+    command
+        .add_option("FILES", options->files,
+                    "meshes of the moving and of the fixed body (of a scene or robot each different one once), then "
+                    "what --certificate wrote")
+        ->required()
+        ->expected(2, -1)
+        ->type_name("MESH.. CERTIFICATE");
     command.callback([options, &task] { task = [options] { return run_verify(*options); }; });
 }
 

@@ -22,12 +22,15 @@ MAY_INCLUDE = {
     "search": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact"],
     "memory": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search"],
     "query": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory"],
-    "certificate": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query"],
     "scene": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query"],
     "io": ["base", "algebra", "motion", "hierarchy", "mesh"],
     "robot": [
         "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query", "scene",
         "io",
+    ],
+    "certificate": [
+        "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query", "scene",
+        "io", "robot",
     ],
     "manipulation": [
         "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "memory", "query", "scene",

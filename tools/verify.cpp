@@ -1,13 +1,14 @@
-// Checks a certificate: a text file that proves whether two bodies touch during a motion. What it claims and what each
-// step needs to hold is said in the description of the format (certificate.md); the names here are those of that page.
+// Checks a certificate: a text file that proves whether bodies touch during a motion. What it claims and what each step
+// needs to hold is said in the description of the format (certificate.md); the names here are those of that page.
 //
-//     g++ -std=c++20 -O2 verify.cpp -o verify && ./verify MOVING FIXED CERTIFICATE
+//     g++ -std=c++20 -O2 verify.cpp -o verify && ./verify MESH [MESH ...] CERTIFICATE
 //
+// The meshes: MOVING FIXED, or those of a scene in any order, each once.
 // Exit status: 0 verified, 1 not verified, 2 usage or a file that cannot be read.
 //
 // All decisions are made in integers. Lengths are integers in units of 2^unit, which divides all lengths of the input;
-// denominators of the motion are cleared once for each piece. What is no fraction is enclosed: see Interval. Floating
-// point only decides clear cases quickly, with error bounds stated at the place: see Cell, separates_clearly, winding.
+// denominators of the motion are cleared once for each piece. What is no fraction is enclosed: see Ball. Floating point
+// only decides clear cases quickly, in the same formulas: see Ball too, and separates_clearly.
 
 #include "verify.h"
 
@@ -22,6 +23,7 @@
 #include <iostream>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -42,6 +44,7 @@ template <class N> using Triple = std::array<N, 3>;
 using Vector = Triple<Integer>;
 
 constexpr size_t LONGEST_WORD = 1000, MOST_FACES = 1u << 30, MOST_PIECES = 1000000, MOST_LINKS = 1000;
+constexpr size_t MOST_BODIES = 10000;
 constexpr size_t LARGEST_FILE = size_t(1) << 34;
 constexpr int DEEPEST_CELL = 4000;  // halvings
 
@@ -63,8 +66,10 @@ std::pair<std::int64_t, int> dyadic(double x) {  // x = mantissa 2^exponent with
     return {mantissa >> zeros, exponent - 53 + zeros};
 }
 
+constexpr int SMALLEST = -1100;  // 2^SMALLEST divides every double
 struct Range {  // of exponents: 2^lowest divides all numbers, and 2^highest is above them
-    int lowest = 0, highest = -1100;
+    int lowest = 0, highest = SMALLEST;
+    void add(const Range& r) { lowest = std::min(lowest, r.lowest), highest = std::max(highest, r.highest); }
     template <class Numbers>
     void add(const Numbers& numbers) {
         for (double x : numbers)
@@ -89,9 +94,7 @@ template <class N> Triple<N> operator+(const Triple<N>& a, const Triple<N>& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 template <class N> Triple<N> operator-(const Triple<N>& a) { return {-a[0], -a[1], -a[2]}; }
-template <class N> Triple<N> operator-(const Triple<N>& a, const Triple<N>& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+template <class N> Triple<N> operator-(const Triple<N>& a, const Triple<N>& b) { return a + -b; }
 bool is_zero(const Vector& a) { return a == Vector{}; }
 
 double truncated(const Integer& x, long exponent) {  // x 2^exponent, up to 2^-52 of it nearer to 0, if not subnormal
@@ -103,13 +106,9 @@ double truncated(const Integer& x, long exponent) {  // x 2^exponent, up to 2^-5
     return x < 0 ? -result : result;
 }
 
-bool moderate(double x, int exponent) {  // 0 or in [2^-exponent, 2^exponent]
-    return x == 0 || (std::abs(x) >= std::ldexp(1, -exponent) && std::abs(x) <= std::ldexp(1, exponent));
-}
-
 // A number between middle - radius and middle + radius. With integers nothing is rounded, and an exact one has the
 // radius 0. With doubles `outward` makes up for the roundings of the middle (2^-53 of it) and of the radius, and adds
-// 2^-900 for underflow.
+// 2^-900 for underflow. After an overflow the radius is infinite or not a number, so that no sign is known.
 const Integer& outward(const Integer& radius, const Integer&) { return radius; }
 double outward(double radius, double middle) { return (radius + abs(middle) * 0x1p-52) * (1 + 0x1p-50) + 0x1p-900; }
 
@@ -146,6 +145,7 @@ Integer up(const Integer& x) { return (x >> BITS) + 1; }
 double up(double x) { return x * (1 + 0x1p-40) + 0x1p-900; }
 Interval reduced(const Interval& x) { return x.is_zero() ? x : Interval{x.middle >> BITS, up(x.radius) + 1}; }
 Enclosure reduced(const Enclosure& x) { return {reduced(x[0]), reduced(x[1]), reduced(x[2])}; }
+const Triple<Ball<double>>& reduced(const Triple<Ball<double>>& x) { return x; }
 bool absurd(const Integer& x) { return msb(x) > 20000; }                // takes too long
 bool absurd(double) { return false; }
 Integer root(const Integer& x) { return sqrt(x) + 1; }                   // not less than the square root
@@ -298,6 +298,17 @@ struct Reader {
         while (!more() && next_line()) {}
         return optional_word();
     }
+    Word peek() {  // any_word() that is not taken
+        const Word next = any_word();
+        at -= next.size();
+        return next;
+    }
+    template <class Use>
+    void next(Word keyword, const Use& read) {  // a line
+        expect(keyword, any_word());
+        read();
+        end_of_line();
+    }
     void expect(Word wanted, Word word) {
         if (word != wanted) fail(quote(wanted) + " expected instead of " + (word.empty() ? "the end" : quote(word)));
     }
@@ -345,15 +356,17 @@ struct Reader {
         if (x < 0) fail("a negative number");
         return x + 0.0;  // 0 for -0
     }
-    Corner decimal_corner() { return {decimal(), decimal(), decimal()}; }
-    double decimal() {
-        double x;
-        const Word all = word();
-        if (!parse(all.substr(all.starts_with('+') && !all.starts_with("+-")), x) || !std::isfinite(x))
-            fail("not a finite decimal number: " + quote(all));
-        return x;
+    Corner decimal_corner() {
+        Corner c;
+        for (double& x : c) {
+            const Word all = word();
+            if (!parse(all.substr(all.starts_with('+') && !all.starts_with("+-")), x) || !std::isfinite(x))
+                fail("not a finite decimal number: " + quote(all));
+        }
+        return c;
     }
 };
+
 // ---- Bodies ------------------------------------------------------------------------------------------------------
 
 // A range of the order; all nodes are numbered in depth-first order.
@@ -371,10 +384,25 @@ void make_unique(vector<Item>& items) {
     items.shrink_to_fit();
 }
 
+struct Link {  // as the file has it. The motion of a screw or a sweep is one link of that kind
+    string kind{};
+    bool back = false;
+    vector<double> fixed{};    // numbers of its line; the centre of a sweep
+    size_t size = 0;           // of its numbers at a knot
+    vector<double> numbers{};  // at all knots
+    bool operator==(const Link&) const = default;
+    bool is_cubic() const { return kind == "screw" || kind == "sweep"; }
+    bool between_poses() const { return size >= 7; }
+    Vector vector_in_units(int unit) const { return in_units({fixed[0], fixed[1], fixed[2]}, unit); }
+};
+
 struct Body {
-    const string name;
+    string name;  // for messages: "moving ", "fixed ", or nothing
     string hash{};
-    bool solid = false, is_moderate = true;  // all coordinates are fit for floating point
+    double radius = 0;
+    bool solid = false;
+    vector<Link> links{};
+    Range lengths{};                         // of the points and the links
     vector<Corner> points{};                 // the different corners
     vector<uint32_t> corners{}, order{};     // corners of all faces, as numbers of points
     vector<size_t> first = {0};              // those of face f start at first[f]
@@ -384,20 +412,19 @@ struct Body {
     vector<bool> proven{};                   // for each part (its point) whether it is outside
 
     void read(const Mesh& mesh) {
-        if (mesh.empty() || mesh.size() >= MOST_FACES) fail("the " + name + " body has no faces or too many");
+        if (mesh.empty() || mesh.size() >= MOST_FACES) fail("the " + name + "body has no faces or too many");
         string data;  // to be hashed
         const auto add = [&](uint64_t value, int bytes) {  // little-endian
             for (int i = 0; i < bytes; ++i) data += char(value >> 8 * i);
         };
         for (const auto& face : mesh) {
-            if (face.size() < 3) fail("a face of the " + name + " body has less than three corners");
+            if (face.size() < 3) fail("a face of the " + name + "body has less than three corners");
             add(face.size(), 4);
             for (Corner c : face) {
                 for (size_t i = 0; i < 3; ++i) {
-                    if (!std::isfinite(c[i])) fail("a coordinate of the " + name + " body is not finite");
+                    if (!std::isfinite(c[i])) fail("a coordinate of the " + name + "body is not finite");
                     add(std::bit_cast<uint64_t>(c[i] += 0.0), 8);  // 0 for -0
                     largest[i] = std::max(largest[i], std::abs(c[i]));
-                    is_moderate = is_moderate && moderate(c[i], 200);
                 }
                 points.push_back(c);
             }
@@ -405,34 +432,38 @@ struct Body {
         }
         hash = sha256(std::move(data));
         const vector<Corner> all = points;
-        if (all.size() >= 4 * MOST_FACES - 1) fail("the " + name + " body has too many corners");
+        if (all.size() >= 4 * MOST_FACES - 1) fail("the " + name + "body has too many corners");
         make_unique(points);
+        for (const Corner& c : points) lengths.add(c);
         for (const Corner& c : all)
             corners.push_back(uint32_t(std::lower_bound(points.begin(), points.end(), c) - points.begin()));
     }
 
     size_t faces() const { return first.size() - 1; }
     size_t size(size_t face) const { return first[face + 1] - first[face]; }
-    const Corner& corner(size_t face, size_t k) const { return points[corners[first[face] + k]]; }
+    uint32_t point(size_t face, size_t k) const { return corners[first[face] + k]; }
 
     // Every edge of a solid occurs once in each of the two directions, in two faces.
     void check_solid() const {
+        if (!solid) return;
         vector<uint64_t> edges;
         for (size_t f = 0; f < faces(); ++f) {
             vector<uint32_t> c(corners.begin() + first[f], corners.begin() + first[f + 1]);
             for (size_t k = 0; k < c.size(); ++k) edges.push_back(uint64_t(c[k]) << 32 | c[(k + 1) % c.size()]);
             make_unique(c);
-            if (c.size() < size(f)) fail("face " + to_string(f) + " of the solid " + name + " body has a corner twice");
+            if (c.size() < size(f)) fail("face " + to_string(f) + " of the solid " + name + "body has a corner twice");
         }
         std::sort(edges.begin(), edges.end());
         if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
-            fail("two faces of the solid " + name + " body have an edge in the same direction");
+            fail("two faces of the solid " + name + "body have an edge in the same direction");
         for (uint64_t edge : edges)
             if (!std::binary_search(edges.begin(), edges.end(), std::rotl(edge, 32)))
-                fail("an edge of the solid " + name + " body has a face at one side only");
+                fail("an edge of the solid " + name + "body has a face at one side only");
     }
 
-    void find_parts() {
+    void find_parts() {  // none of which is proven
+        proven.assign(points.size(), false);
+        if (!part.empty()) return;
         part.resize(points.size());
         std::iota(part.begin(), part.end(), 0u);
         const auto root = [&](uint32_t p) {
@@ -442,7 +473,6 @@ struct Body {
         for (size_t f = 0; f < faces(); ++f)
             for (size_t k = first[f]; k < first[f + 1]; ++k) part[root(corners[k])] = root(corners[first[f]]);
         for (uint32_t& p : part) p = root(p);
-        proven.resize(points.size(), false);
     }
 
     const vector<uint32_t>& points_of(const Node& node) {
@@ -488,6 +518,10 @@ struct Pose {
     }
 };
 
+Pose pose_at(const Link& link, size_t knot, int unit) {
+    return {&link.numbers[knot * link.size], link.size == 14, unit};
+}
+
 Quaternion turn(const Quaternion& q0, const Quaternion& q1) {  // q1 q0^-1 or its negative, times |q0| |q0|
     const Quaternion q = q1 * q0.conjugate();
     if (q.w == 0) fail("a piece is half a turn");
@@ -498,91 +532,82 @@ Quaternion turn(const Quaternion& q0, const Quaternion& q1) {  // q1 q0^-1 or it
 // [4 i + 3]; W is [12].
 constexpr size_t COLUMNS = 13, W = 12;
 template <class N> using Row = std::array<N, COLUMNS>;
-template <class N> using Cubic = std::array<Row<N>, 4>;  // coefficients of powers, or of Bernstein polynomials
+template <class N> using Cubic = vector<Row<Ball<N>>>;  // coefficients of powers, or of Bernstein polynomials
 
-// W p and W of a screw or sweep in powers of tau / end, times a common factor. For both kinds
+// W p and W of a screw or sweep in powers of tau, times a common factor. For both kinds
 //   W = W0 + tau W1 + tau^2 W2,  e = e0 + tau e1,  turned(y) = W y + 2 tau e (v x y) + 2 tau^2 v x (v x y),
 //   W p = turned(R0 b - from) + W (start + tau way) + tau e0 m + tau^2 v x m,
 // where for a screw W and e are multiplied by w w and w, `from` is 0, and m = w across - v x across; for a sweep `from`
-// is R0 C, and m is 0. With N, that of a sweep is x + z N with integers x and z, because N N is one. So where a
-// condition holds for two numbers in the place of N, one below and one above it, it holds for N.
-vector<Cubic<Integer>> cubics_of(const Pose& from, const Pose& to, const Vector* centre, double end) {
-    auto [w, v] = turn(from.q, to.q);
-    if (centre) w <<= BITS, v = ONE * v;  // makes N a large number
-    const Integer square = dot(v, v), norm = from.q.norm(), scale = from.scale * to.scale;
-    const Vector t0 = to.scale * from.position, q = from.scale * to.position - t0;  // times the scale
-    const auto [mantissa, exponent] = dyadic(end);  // at most 1, so that the exponent is at most 0
-    const auto cubic = [&, &v = v, mantissa = mantissa, exponent = exponent](
-            const Vector& w012, const Integer& e0, const Integer& e1, const Integer& factor, const Vector& from_centre,
-            const Vector& start, const Vector& way, const Vector& m) {
-        Cubic<Integer> c{};
-        for (size_t k = 0; k < 4; ++k) {
-            const Vector y = k < 3 ? factor * from.q.rotate({k == 0, k == 1, k == 2}) : -from_centre;
-            const Vector vy = cross(v, y);
-            std::array<Vector, 4> column = {w012[0] * y, w012[1] * y + 2 * e0 * vy,
-                                            w012[2] * y + 2 * e1 * vy + 2 * cross(v, vy), Vector{}};
-            if (k == 3) {
-                column[1] = column[1] + e0 * m, column[2] = column[2] + cross(v, m);
-                for (size_t j = 0; j < 3; ++j)
-                    column[j] = column[j] + w012[j] * start, column[j + 1] = column[j + 1] + w012[j] * way;
-            }
-            for (size_t i = 0; i < 12; ++i) c[i / 3][i % 3 * 4 + k] = column[i / 3][i % 3];
-        }
-        for (size_t j = 0; j < 3; ++j) c[j][W] = norm * factor * w012[j];
-        Integer power = 1;
-        for (int j = 0; j < 4; ++j, power *= mantissa)
-            for (Integer& x : c[size_t(j)]) x = (x * power) << (3 - j) * -exponent;
-        return c;
-    };
-    if (!centre) {
-        const Integer vv = square == 0 ? Integer(1) : square;
-        const Vector along = square == 0 ? q : dot(v, q) * v, across = vv * q - along;  // times vv
-        return {cubic({w * w, 0, square}, w, 0, vv * scale, Vector{}, norm * vv * t0, norm * along,
-                      norm * (w * across - cross(v, across)))};
+// is R0 C, and m is 0.
+Cubic<Integer> cubic_of(const Link& link, size_t piece, int unit) {
+    const Pose pose0 = pose_at(link, piece, unit), pose1 = pose_at(link, piece + 1, unit);
+    const bool sweep = link.kind == "sweep";
+    auto [w, v] = turn(pose0.q, pose1.q);
+    if (sweep) w <<= BITS, v = ONE * v;  // makes N a large number
+    const Integer vv = dot(v, v), norm = pose0.q.norm(), scale = pose0.scale * pose1.scale;
+    const Vector t0 = pose1.scale * pose0.position, q = pose0.scale * pose1.position - t0;  // times the scale
+    Integer factor;                // this and the next line: times the scale and more; R0 is multiplied by factor norm
+    Vector from{}, start, way, m{};
+    Interval w0, w1, w2, e0, e1;
+    if (sweep) {
+        const Integer norm1 = pose1.q.norm(), nn = w * w + vv;
+        const Interval n = {sqrt(nn), 1};
+        const Vector centre = link.vector_in_units(unit);
+        factor = scale * norm1, from = factor * pose0.q.rotate(centre), start = norm * norm1 * t0 + from;
+        way = norm * norm1 * q + scale * norm * pose1.q.rotate(centre) - from;
+        w0 = nn, w2 = Interval(2) * (nn - w * n), w1 = -w2, e0 = n, e1 = w - n;
+    } else {
+        const Integer divisor = vv == 0 ? Integer(1) : vv;
+        const Vector along = vv == 0 ? q : dot(v, q) * v, across = divisor * q - along;  // times the divisor
+        factor = scale * divisor, start = norm * divisor * t0, way = norm * along;
+        m = norm * (w * across - cross(v, across));
+        w0 = w * w, w2 = vv, e0 = w;
     }
-    const Integer norm1 = to.q.norm(), factor = scale * norm1, nn = w * w + square, root = sqrt(nn);
-    const Vector c0 = factor * from.q.rotate(*centre), c1 = scale * norm * to.q.rotate(*centre);  // without positions
-    vector<Cubic<Integer>> bounds;
-    for (const Integer& n : {root, Integer(root + 1)}) {
-        const Integer w2 = 2 * (nn - w * n);
-        bounds.push_back(cubic({nn, -w2, w2}, n, w - n, factor, c0, norm * norm1 * t0 + c0,
-                               norm * norm1 * q + c1 - c0, Vector{}));
+    Cubic<Integer> c(4);
+    for (size_t k = 0; k < 12; ++k) {
+        const size_t i = k / 4, column = k % 4;
+        const Vector axis = {column == 0, column == 1, column == 2};
+        const Vector y = column < 3 ? factor * pose0.q.rotate(axis) : -from, vy = cross(v, y), vvy = cross(v, vy);
+        c[0][k] = w0 * y[i];
+        c[1][k] = w1 * y[i] + 2 * vy[i] * e0;
+        c[2][k] = w2 * y[i] + 2 * vy[i] * e1 + 2 * vvy[i];
+        if (column < 3) continue;
+        c[0][k] = c[0][k] + w0 * start[i];
+        c[1][k] = c[1][k] + w0 * way[i] + w1 * start[i] + e0 * m[i];
+        c[2][k] = c[2][k] + w1 * way[i] + w2 * start[i] + cross(v, m)[i];
+        c[3][k] = w2 * way[i];
     }
-    return bounds;
+    c[0][W] = norm * factor * w0, c[1][W] = norm * factor * w1, c[2][W] = norm * factor * w2;
+    return c;
 }
 
-// Three times 8^depth times the Bernstein coefficients on [index, index + 1] / 2^depth.
-Cubic<Integer> bernstein(const Cubic<Integer>& c, const Integer& index, int depth) {
-    Cubic<Integer> b;
-    for (size_t k = 0; k < COLUMNS; ++k) {  // a0 + a1 x + a2 x^2 + a3 x^3 for tau = (index + x) / 2^depth
-        const Integer c1 = c[1][k] << 2 * depth, c2 = c[2][k] << depth, a3 = c[3][k], c3 = a3 * index;
-        const Integer a0 = 3 * ((c[0][k] << 3 * depth) + index * (c1 + index * (c2 + c3)));
-        const Integer a1 = c1 + index * (2 * c2 + 3 * c3), a2 = c2 + 3 * c3;
-        b[0][k] = a0, b[1][k] = a0 + a1, b[2][k] = a0 + 2 * a1 + a2, b[3][k] = a0 + 3 * (a1 + a2 + a3);
+struct Cell {  // of the time from 0 to `end`: [index, index + 1] / 2^depth of it
+    double end;
+    int depth = 0;
+    Integer index = 0;
+};
+
+// Bernstein coefficients on the cell, times a power of two. There tau = (i + m x) / s with x in [0, 1].
+Cubic<Integer> bernstein(const Cubic<Integer>& c, const Cell& cell) {
+    const auto [mantissa, exponent] = dyadic(cell.end);  // at most 1, so that the exponent is at most 0
+    const Integer m = mantissa, i = m * cell.index, s = Integer(1) << (cell.depth - exponent);
+    Cubic<Integer> b(4);
+    for (size_t k = 0; k < COLUMNS; ++k) {  // of a0 + a1 x + a2 x^2 + a3 x^3, times three
+        const Interval a0 = 3 * s * s * s * c[0][k] + 3 * i * s * s * c[1][k] + 3 * i * i * s * c[2][k] +
+                            3 * i * i * i * c[3][k];
+        const Interval a1 = m * s * s * c[1][k] + 2 * m * i * s * c[2][k] + 3 * m * i * i * c[3][k];
+        const Interval a2 = m * m * s * c[2][k] + 3 * m * m * i * c[3][k], a3 = m * m * m * c[3][k];
+        b[0][k] = a0, b[1][k] = a0 + a1, b[2][k] = b[1][k] + a1 + a2, b[3][k] = a0 + Interval(3) * (a1 + a2 + a3);
     }
     return b;
 }
 
-// A part of the piece. In floating point the coefficients of the whole piece are truncated, which errs by at most
-// 2 u of their absolute value, u = 2^-53; each halving takes up to three means after another, each of which adds at
-// most u of the largest coefficient of that column. After `depth` halvings they err by at most (3 depth + 2) u of the
-// largest one of the column of the whole piece, and none is larger than that one.
-struct Cell {
-    int depth = 0;
-    Integer index = 0;
-    Cubic<double> rounded{};
-    vector<Cubic<Integer>> exact{};  // made when needed
-};
-
-std::pair<Cell, Cell> halves(const Cell& cell) {
-    Cell low{cell.depth + 1, 2 * cell.index, cell.rounded}, high{cell.depth + 1, 2 * cell.index + 1, cell.rounded};
-    for (size_t round = 1; round < 4; ++round) {  // de Casteljau
-        for (size_t j = 0; j + round < 4; ++j)
-            for (size_t k = 0; k < COLUMNS; ++k)
-                high.rounded[j][k] = (high.rounded[j][k] + high.rounded[j + 1][k]) / 2;
-        low.rounded[round] = high.rounded[0];
-    }
-    return {std::move(low), std::move(high)};
+Cubic<double> rounded(const Cubic<Integer>& cubic, int unit) {  // times a power of two
+    Cubic<double> result(cubic.size());
+    for (size_t j = 0; j < cubic.size(); ++j)
+        for (size_t k = 0; k < COLUMNS; ++k)  // [3], [7] and [11] are lengths
+            result[j][k] = rounded(cubic[j][k], (k % 4 == 3 ? unit : 0) - int(msb(cubic[0][W].middle)));
+    return result;
 }
 
 // ---- Chains ------------------------------------------------------------------------------------------------------
@@ -600,13 +625,16 @@ Matrix identity() {
     return {Enclosure{ONE, zero, zero}, Enclosure{zero, ONE, zero}, Enclosure{zero, zero, ONE}};
 }
 
-struct Link {  // as the file has it
-    string kind;
-    bool back = false;
-    vector<double> fixed{};  // numbers of its line
-    size_t first = 0, size = 0;  // of its numbers at a knot
-    bool between_poses() const { return size == 7; }
-};
+// The motion of one body as seen from another one: what carries both is left out.
+vector<Link> seen_from(const vector<Link>& other, const vector<Link>& own) {
+    const auto [theirs, ours] = std::mismatch(other.begin(), other.end(), own.begin(), own.end());
+    vector<Link> links(theirs, other.end());
+    std::reverse(links.begin(), links.end());
+    for (Link& link : links) link.back = !link.back;
+    links.insert(links.end(), ours, own.end());
+    if (links.empty()) links.push_back({.kind = "pose", .fixed = {0, 0, 0, 1, 0, 0, 0}});
+    return links;
+}
 
 struct LinkMotion {  // of a piece; named as on the page
     bool back = false, turns = false, rotated = false;  // rotated: R is not 1
@@ -614,7 +642,7 @@ struct LinkMotion {  // of a piece; named as on the page
     Interval theta0{}, omega{};
     Matrix r = identity();
 
-    LinkMotion(const Link& link, const double* from, const double* to, int unit) : back(link.back) {
+    LinkMotion(const Link& link, size_t piece, int unit) : back(link.back) {
         const auto set_rotation = [&](const Quaternion& q) {
             rotated = true;
             for (size_t k = 0; k < 3; ++k) r[k] = quotient(ONE * q.rotate({k == 0, k == 1, k == 2}), q.norm());
@@ -622,19 +650,15 @@ struct LinkMotion {  // of a piece; named as on the page
         if (link.kind == "pose") {
             const Pose pose(&link.fixed[0], false, unit);
             a0 = balls(pose.position), set_rotation(pose.q);
-        } else if (!link.between_poses()) {
-            Range exponents;
-            exponents.add(link.fixed);
-            const Vector along = in_units({link.fixed[0], link.fixed[1], link.fixed[2]}, exponents.lowest);
-            if (link.kind == "turn") {
-                turns = true, axis = unit_vector(along), theta0 = fixed_point(*from), omega = fixed_point(*to) - theta0;
-            } else {
-                const Integer s0 = in_units(*from, unit), way = in_units(*to, unit) - s0, one = 1;
-                const Integer above = one << std::max(exponents.lowest, 0), below = one << std::max(-exponents.lowest, 0);
-                a0 = quotient(above * s0 * along, below), v = quotient(above * way * along, below);
-            }
+        } else if (link.kind == "turn") {
+            turns = true, axis = unit_vector(link.vector_in_units(SMALLEST));
+            theta0 = fixed_point(link.numbers[piece]), omega = fixed_point(link.numbers[piece + 1]) - theta0;
+        } else if (link.kind == "slide") {
+            const Integer s0 = in_units(link.numbers[piece], unit), s1 = in_units(link.numbers[piece + 1], unit);
+            const Enclosure way = {fixed_point(link.fixed[0]), fixed_point(link.fixed[1]), fixed_point(link.fixed[2])};
+            a0 = reduced(s0 * way), v = reduced((s1 - s0) * way);
         } else {
-            const Pose p0(from, false, unit), p1(to, false, unit);
+            const Pose p0 = pose_at(link, piece, unit), p1 = pose_at(link, piece + 1, unit);
             const Quaternion q = turn(p0.q, p1.q);
             const Integer vv = dot(q.v, q.v);
             const Vector way = p1.position - p0.position;
@@ -647,7 +671,7 @@ struct LinkMotion {  // of a piece; named as on the page
             }
             Enclosure c{};  // of a twist as on the page, of a velocity R0 C
             if (link.kind == "velocity") {
-                const Vector centre = in_units({link.fixed[0], link.fixed[1], link.fixed[2]}, unit);
+                const Vector centre = link.vector_in_units(unit);
                 c = quotient(p0.q.rotate(centre), p0.q.norm());
                 v = v + quotient(p1.q.rotate(centre), p1.q.norm()) - c;
             } else if (vv != 0) {
@@ -673,19 +697,8 @@ struct LinkMotion {  // of a piece; named as on the page
 // Images of the three unit vectors without that of 0, and that of 0.
 template <class N> using Affine = std::array<Triple<Ball<N>>, 4>;
 
-Enclosure image(const Affine<Integer>& f, const Vector& b) {
+template <class N> Triple<Ball<N>> image(const Affine<N>& f, const Triple<N>& b) {
     return reduced(b[0] * f[0] + b[1] * f[1] + b[2] * f[2]) + f[3];
-}
-// The radii from `rounded` are at least 2^-49 of the middles; roundings are at most 2^-51 of the sum of the terms.
-Triple<Ball<double>> image(const Affine<double>& f, const Corner& b) {
-    Triple<Ball<double>> y;
-    for (size_t i = 0; i < 3; ++i) {
-        y[i] = f[3][i];
-        for (size_t k = 0; k < 3; ++k)
-            y[i].middle += b[k] * f[k][i].middle, y[i].radius += abs(b[k]) * f[k][i].radius;
-        y[i].radius = up(y[i].radius);
-    }
-    return y;
 }
 
 template <class N>
@@ -723,172 +736,60 @@ vector<Stage<Integer>> stages_of(const vector<LinkMotion>& links, const Interval
 
 // ---- The certificate ---------------------------------------------------------------------------------------------
 
-struct Motion {  // of a piece up to the time `end`: of a screw or sweep the cubics, of a chain the links
-    double end;
-    vector<Cubic<Integer>> cubics{};
+struct Motion {  // of a piece: of a screw or sweep the cubic, of a chain the links
+    Cubic<Integer> cubic{};
     vector<LinkMotion> links{};
 };
 
 template <class N>
 struct Plane {
-    Triple<N> n{};
-    N s = 0, d = 0;  // d + s D of the page
+    Triple<Ball<N>> n;
+    N s;
+    Ball<N> d{};  // d + s D of the page
 };
 
-struct Checker {
+struct Verdict {  // nothing touches up to `lower` of `piece`; if it is clear, that is the end of the last piece
+    string kind{};
+    size_t pieces = 0, piece = 0, i = 0, j = 1;  // i and j: the bodies that touch
+    double lower = 0, upper = 0;
+};
+
+struct Pair {
     Reader& in;
-    Body moving{"moving"}, fixed{"fixed"};
-    string solid{}, kind{}, verdict{};
-    std::array<double, 2> radii{};
-    double margin = 0, lower = 0, upper = 0;
-    size_t pieces = 0, contact_piece = 0, steps = 0;
-    Corner centre{};
-    vector<Link> links{};
-    vector<vector<double>> knots{};
-    Range lengths{};                         // all of the input
-    int unit = 0;                            // of lengths, as a power of two
-    Integer reach = 0;                       // D
-    Row<Interval> place{};                   // of the moving body for the outside lines and the witness
-    bool filter = false;                     // this and the following: see prepare_filter
-    double rounded_reach = 0, size_of_w = 0;
-    Corner size{};
-    int chain_depth = 0;                     // this and the following: of the last cell of a chain
-    Integer chain_index = 0;
-    Integer chain_h = 0;
+    const Verdict& verdict;
+    Body &moving, &fixed;
+    vector<Link> links;
+    bool chain;
+    size_t steps = 0;
+    int unit;                                // of lengths, as a power of two
+    Integer reach;                           // D
+    Row<Interval> place;                     // of the moving body for the outside lines and the witness
+    Cell prepared{0};                        // the last cell, and what follows in it
+    Cubic<Integer> cubic{};
+    Cubic<double> rounded_cubic{};
+    Integer h = 0;                           // this and the following: of a chain
     vector<Stage<Integer>> stages{};
     vector<Stage<double>> rounded_stages{};
 
-    string check(const Mesh& moving_mesh, const Mesh& fixed_mesh) {
-        moving.read(moving_mesh);
-        fixed.read(fixed_mesh);
-        read_head();
+    Pair(Reader& reader, const Verdict& v, Body& body_i, Body& body_j, double margin)
+        : in(reader), verdict(v), moving(body_i), fixed(body_j), links(seen_from(fixed.links, moving.links)),
+          chain(!links[0].is_cubic()) {
+        Range lengths = moving.lengths;
+        lengths.add(fixed.lengths), lengths.add(std::array{margin, moving.radius, fixed.radius});
+        unit = chain ? std::min(lengths.lowest, lengths.highest - BITS) : lengths.lowest;
+        reach = in_units(moving.radius, unit) + in_units(fixed.radius, unit) + in_units(margin, unit);
         place = place_at(0, 0);
-        const bool start = verdict == "start";
-        for (Body* body : {&moving, &fixed})
-            if (!start) read_order(*body);
-        Word word = in.any_word();
-        if (!start) word = check_outside(word);
-        const size_t proofs = start ? 0 : verdict == "clear" ? pieces : contact_piece + 1;
-        for (size_t piece = 0; piece < proofs; ++piece, word = in.any_word()) {
-            in.expect("proof", word);
-            if (in.number(pieces) != piece) fail("the proof of piece " + to_string(piece) + " is missing");
-            in.end_of_line();
-            check_proof(piece, verdict == "contact" && piece == contact_piece ? lower : 1);
-            in.end_of_line();
-        }
-        if (verdict != "clear") {
-            in.expect("witness", word);
-            check_witness();
-            in.end_of_line();
-            word = in.any_word();
-        }
-        if (!word.empty()) fail("unexpected word " + quote(word) + " after the end");
-        return claims();
     }
 
-    // ---- Head ----------------------------------------------------------------------------------------------------
-
-    template <class Use>
-    void line(Word keyword, const Use& read) {
-        in.expect(keyword, in.any_word());
-        read();
-        in.end_of_line();
-    }
-
-    void read_head() {
-        line("chasles", [&] { in.expect("certificate", in.word()), in.expect("1", in.word()); });
-        for (Body* body : {&moving, &fixed})
-            line(body->name, [&] {
-                if (in.word() != body->hash) fail("the hash is that of another " + body->name + " body");
-                if (in.number(MOST_FACES) != body->faces()) fail("wrong number of faces");
-                for (const Corner& c : body->points) lengths.add(c);
+    void check_proofs() {
+        check_outside();
+        for (size_t piece = 0; piece <= verdict.piece; ++piece) {
+            in.next("proof", [&] {
+                if (in.number(verdict.pieces) != piece) fail("the proof of piece " + to_string(piece) + " is missing");
             });
-        line("solid", [&] {
-            solid = in.word();
-            moving.solid = solid == "moving" || solid == "both";
-            fixed.solid = solid == "fixed" || solid == "both";
-            if (!moving.solid && !fixed.solid && solid != "none") fail("unknown word " + quote(solid));
-        });
-        for (const Body* body : {&moving, &fixed})
-            if (body->solid) body->check_solid();
-        line("radius", [&] { radii[0] = in.not_negative(), radii[1] = in.not_negative(); });
-        line("margin", [&] { margin = in.not_negative(); });
-        line("motion", [&] {
-            kind = in.word();
-            if (kind != "screw" && kind != "sweep" && kind != "chain") fail("unknown motion " + quote(kind));
-            pieces = in.number(MOST_PIECES + 1, 1);
-            if (kind == "chain") links.resize(in.number(MOST_LINKS + 1, 1));
-        });
-        if (kind == "sweep")
-            line("centre", [&] { for (double& x : centre) x = in.real(); });
-        for (Link& link : links) line("link", [&] { read_link(link); });
-        while (knots.size() <= pieces) line(links.empty() ? "pose" : "knot", [&] { read_knot(); });
-        for (const auto& numbers : {Corner{radii[0], radii[1], margin}, centre}) lengths.add(numbers);
-        unit = links.empty() ? lengths.lowest : std::min(lengths.lowest, lengths.highest - BITS);
-        reach = in_units(radii[0], unit) + in_units(radii[1], unit) + in_units(margin, unit);
-        line("verdict", [&] {
-            verdict = in.word();
-            if (verdict == "clear" || verdict == "start") return;
-            if (verdict != "contact") fail("unknown verdict " + quote(verdict));
-            contact_piece = in.number(pieces), lower = in.not_negative(), upper = in.not_negative();
-            if (!(lower <= upper && upper <= 1)) fail("LOWER and UPPER are not in order in [0, 1]");
-        });
-    }
-
-    void read_pose(vector<double>& numbers) {
-        for (size_t i = 0; i < 7; ++i) numbers.push_back(in.real());
-        const double* x = &numbers.back() - 6;
-        if (x[3] == 0 && Corner{x[4], x[5], x[6]} == Corner{}) fail("a quaternion of length 0");
-        lengths.add(Corner{x[0], x[1], x[2]});
-    }
-
-    void read_link(Link& link) {
-        link.kind = in.word();
-        link.back = link.kind == "back";
-        if (link.back) link.kind = in.word();
-        static const std::map<string, size_t> SIZES = {
-            {"pose", 0}, {"slide", 1}, {"turn", 1}, {"velocity", 7}, {"twist", 7}};
-        if (!SIZES.contains(link.kind)) fail("unknown link " + quote(link.kind));
-        link.size = SIZES.at(link.kind);
-        if (&link != &links[0]) link.first = (&link - 1)->first + (&link - 1)->size;
-        if (link.kind == "pose") return read_pose(link.fixed);
-        while (link.kind != "twist" && link.fixed.size() < 3) link.fixed.push_back(in.real());
-        if (link.kind == "velocity") lengths.add(link.fixed);
-        if (link.kind == "turn" && link.fixed == vector<double>(3)) fail("a direction that is 0");
-    }
-
-    void read_knot() {
-        vector<double> knot;
-        if (links.empty()) read_pose(knot);
-        if (links.empty() && in.more()) read_pose(knot);
-        for (const Link& link : links) {
-            if (link.between_poses()) read_pose(knot);
-            if (link.size == 1) knot.push_back(in.real());
-            if (link.kind == "slide") lengths.add(std::array{knot.back()});
+            check_proof(piece, piece == verdict.piece ? verdict.lower : 1);
+            in.end_of_line();
         }
-        knots.push_back(knot);
-        if (knots.size() == 1) return;
-        const vector<double>& last = knots[knots.size() - 2];
-        if (knot.size() != last.size()) fail("poses of seven and of fourteen numbers");
-        const auto check_turn = [&](size_t first, bool fourteen) {  // the unit of length does not matter
-            turn(Pose(&last[first], fourteen, -1100).q, Pose(&knot[first], fourteen, -1100).q);
-        };
-        if (links.empty()) check_turn(0, knot.size() == 14);
-        for (const Link& link : links)
-            if (link.between_poses()) check_turn(link.first, false);
-    }
-
-    void read_order(Body& body) {
-        body.node_points.resize(2 * body.faces() - 1);
-        line("order", [&] {
-            in.expect(body.name, in.word());
-            vector<bool> used(body.faces(), false);
-            for (size_t i = 0; i < body.faces(); ++i) {
-                body.order.push_back(uint32_t(in.number(body.faces())));
-                if (used[body.order[i]]) fail("face " + to_string(body.order[i]) + " is twice in the order");
-                used[body.order[i]] = true;
-            }
-        });
     }
 
     Body& read_side() {
@@ -897,138 +798,129 @@ struct Checker {
         return word == "moving" ? moving : fixed;
     }
     const Body& other(const Body& body) const { return &body == &moving ? fixed : moving; }
+    string side(const Body& body) const { return &body == &moving ? "moving" : "fixed"; }
 
-    Motion motion_of(size_t piece, double end) const {
-        Motion motion{end};
-        const vector<double>&from = knots[piece], &to = knots[piece + 1];
-        for (const Link& link : links)
-            motion.links.emplace_back(link, from.data() + link.first, to.data() + link.first, unit);
-        if (!links.empty()) return motion;
-        const bool fourteen = from.size() == 14;
-        const Vector c = in_units(centre, unit);
-        motion.cubics = cubics_of(Pose(&from[0], fourteen, unit), Pose(&to[0], fourteen, unit),
-                                  kind == "sweep" ? &c : nullptr, end);
+    Motion motion_of(size_t piece) const {
+        if (!chain) return {cubic_of(links[0], piece, unit)};
+        Motion motion;
+        for (const Link& link : links) motion.links.emplace_back(link, piece, unit);
         return motion;
     }
 
     Row<Interval> place_at(size_t piece, double tau) const {  // the numbers that make W p and W
-        const Motion motion = motion_of(piece, tau);
+        const Motion motion = motion_of(piece);
+        if (!chain) return bernstein(motion.cubic, {tau}).back();
+        const Affine<Integer> x = stages_of(motion.links, fixed_point(tau)).back().place;
         Row<Interval> row;
-        if (links.empty()) {  // twice the middle of two bounds
-            const Cubic<Integer> &a = motion.cubics.front(), &b = motion.cubics.back();
-            for (size_t k = 0; k < COLUMNS; ++k) {
-                const Integer x = a[0][k] + a[1][k] + a[2][k] + a[3][k], y = b[0][k] + b[1][k] + b[2][k] + b[3][k];
-                row[k] = {x + y, abs(x - y)};
-            }
-        } else {
-            const Affine<Integer> x = stages_of(motion.links, fixed_point(tau)).back().place;
-            for (size_t i = 0; i < 12; ++i) row[i] = i % 4 == 3 ? ONE * x[3][i / 4] : x[i % 4][i / 4];
-            row[W] = ONE;
-        }
+        for (size_t i = 0; i < 12; ++i) row[i] = i % 4 == 3 ? ONE * x[3][i / 4] : x[i % 4][i / 4];
+        row[W] = ONE;
         return row;
     }
 
     // ---- Inside and outside --------------------------------------------------------------------------------------
 
+    template <class N>
+    static Triple<Ball<N>> rotated(const Row<Ball<N>>& at, const Triple<Ball<N>>& x) {  // times W
+        return {dot({at[0], at[1], at[2]}, x), dot({at[4], at[5], at[6]}, x), dot({at[8], at[9], at[10]}, x)};
+    }
+
+    template <class N>
+    Triple<Ball<N>> placed(const Row<Ball<N>>& at, const Body& body, uint32_t point) const {  // a corner, times W
+        const Triple<Ball<N>> c = balls(corner<N>(body, point));
+        return &body == &fixed ? at[W] * c : rotated(at, c) + Triple<Ball<N>>{at[3], at[7], at[11]};
+    }
+
+    Enclosure placed(const Body& body, size_t face, size_t k) const { return placed(place, body, body.point(face, k)); }
+
     // Reads F C X Y Z and counts how often the other body, a solid, winds around this corner at the start.
     long read_winding(const Body& body, uint32_t& point) {
-        if (!other(body).solid) fail("the other body is not solid");
-        const size_t face = in.number(body.faces()), k = in.number(body.size(face));
-        point = body.corners[body.first[face] + k];
+        const Body& target = other(body);
+        if (!target.solid) fail("the other body is not solid");
+        const size_t face = in.number(body.faces());
+        point = body.point(face, in.number(body.size(face)));
         Vector direction;
         for (Integer& x : direction) x = in.integer(in.word());
         if (is_zero(direction)) fail("a direction that is 0");
-        const Enclosure p = placed(body, face, k);
-        if (&body == &moving) return winding(fixed, p, place[W], direction);
-        // the rotation is M / W, and its inverse is the transpose of M, divided by W
-        const auto column = [&](size_t i) { return Enclosure{place[i], place[4 + i], place[8 + i]}; };
-        const Enclosure c = p - column(3), origin = {dot(column(0), c), dot(column(1), c), dot(column(2), c)};
-        return winding(moving, origin, place[W] * place[W], direction);
-    }
-
-    // Along the ray from origin / norm. The line of the ray goes through the inside of a triangle if the products
-    // s = direction . ((p - origin) x (q - origin)) of its three edges p, q have the same sign, and misses it if two of
-    // them have different signs.
-    //
-    // The filter decides the latter: let `most` be at least the absolute value of each coordinate. The coordinates of
-    // the origin err by 2^-50 most (two truncations, a division, the radii), those of p - origin by 2^-49 most, and
-    // are at most 2 most. So those of the cross product, at most 8 most^2, err by less than 2^-45 most^2, and s by
-    // less than 2^-44 most^2 (|x| + |y| + |z|), rounding of the direction and of the sum included. `error` is twice as
-    // much.
-    long winding(const Body& body, const Enclosure& origin, const Interval& norm, const Vector& direction) const {
-        Corner o, d;
-        double most = 0, radius = 0;
-        bool usable = body.is_moderate && norm.radius << 60 <= norm.middle;
-        const long scale = long(msb(norm.middle));
-        const double rounded_norm = truncated(norm.middle, -scale);
-        for (size_t i = 0; i < 3; ++i) {
-            o[i] = truncated(origin[i].middle, unit - scale) / rounded_norm, d[i] = truncated(direction[i], 0);
-            radius = std::max(radius, truncated(origin[i].radius, unit - scale));
-            most = std::max({most, body.largest[i], std::abs(o[i]) * (1 + 0x1p-49)});
-            usable = usable && moderate(o[i], 200) && moderate(d[i], 100);
+        // From the frame of the other body into that of the fixed one, times W.
+        const Enclosure ray = &target == &fixed ? place[W] * balls(direction) : rotated(place, balls(direction));
+        // In floating point, all for each point of the other body: from the corner to it, and ray x this.
+        const Row<Ball<double>> rounded_place = rounded(Cubic<Integer>{place}, unit)[0];
+        const Triple<Ball<double>> o = placed(rounded_place, body, point);
+        const Triple<Ball<double>> rounded_ray = rounded(ray, -int(msb(place[W].middle)));
+        vector<Triple<Ball<double>>> seen, turned;
+        for (uint32_t p = 0; p < target.points.size(); ++p) {
+            seen.push_back(placed(rounded_place, target, p) - o);
+            turned.push_back(cross(rounded_ray, seen[p]));
         }
-        usable = usable && radius <= 0x1p-60 * most;
-        const double error = 0x1p-43 * most * most * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
+        const Enclosure origin = placed(place, body, point);
         long count = 0;
-        for (size_t f = 0; f < body.faces(); ++f)
-            for (size_t k = 1; k + 1 < body.size(f); ++k) {
-                const Triple<Corner> t = {body.corner(f, 0), body.corner(f, k), body.corner(f, k + 1)};
-                const Triple<Corner> p = {t[0] - o, t[1] - o, t[2] - o};
-                const auto [low, high] =
-                    std::minmax({dot(d, cross(p[0], p[1])), dot(d, cross(p[1], p[2])), dot(d, cross(p[2], p[0]))});
-                if (usable && low < -error && high > error) continue;
-                const auto seen = [&](const Corner& x) { return norm * balls(in_units(x, unit)) - origin; };
-                count += crossing({seen(t[0]), seen(t[1]), seen(t[2])}, balls(direction), f);
+        for (size_t f = 0; f < target.faces(); ++f)
+            for (size_t k = 1; k + 1 < target.size(f); ++k) {
+                const Triple<uint32_t> t = {target.point(f, 0), target.point(f, k), target.point(f, k + 1)};
+                const auto [above, below] = sides<double>({turned[t[0]], turned[t[1]], turned[t[2]]},
+                                                          {seen[t[0]], seen[t[1]], seen[t[2]]});
+                if (above > 0 && below > 0) continue;
+                const auto p = [&](size_t i) { return placed(place, target, t[i]) - origin; };
+                count += crossing({p(0), p(1), p(2)}, ray, f);
             }
         return count;
     }
 
-    static int crossing(const Triple<Enclosure>& p, const Enclosure& direction, size_t face) {
-        int positive = 0, negative = 0;
+    // The line of a ray from 0 goes through the inside of a triangle p if the products (direction x p_i) . p_i+1 have
+    // the same sign, and misses it if two of them have different signs.
+    template <class N>
+    static std::pair<int, int> sides(const Triple<Triple<Ball<N>>>& turned, const Triple<Triple<Ball<N>>>& p) {
+        int above = 0, below = 0;
         for (size_t i = 0; i < 3; ++i) {
-            const int sign = dot(direction, cross(p[i], p[(i + 1) % 3])).sign();
-            positive += sign > 0, negative += sign < 0;
+            const int sign = dot(turned[i], p[(i + 1) % 3]).sign();
+            above += sign > 0, below += sign < 0;
         }
-        if (positive > 0 && negative > 0) return 0;
+        return {above, below};
+    }
+
+    static int crossing(const Triple<Enclosure>& p, const Enclosure& direction, size_t face) {
+        const auto [above, below] =
+            sides<Integer>({cross(direction, p[0]), cross(direction, p[1]), cross(direction, p[2])}, p);
+        if (above > 0 && below > 0) return 0;
         const string where = " face " + to_string(face) + " of the other body and proves nothing";
-        if (positive + negative == 0) fail("the ray is in the plane of" + where);
+        if (above + below == 0) fail("the ray is in the plane of" + where);
         // If the line meets the triangle, it is at the distance height / slope; the slope has the sign of the products.
         const int height = dot(cross(p[1] - p[0], p[2] - p[0]), p[0]).sign();
         if (height == 0) fail("the corner is on" + where);
-        if ((height > 0) != (positive > 0)) return 0;  // behind the corner
-        if (positive + negative < 3) fail("the ray meets an edge of" + where);
-        return positive > 0 ? 1 : -1;
+        if ((height > 0) != (above > 0)) return 0;  // behind the corner
+        if (above + below < 3) fail("the ray meets an edge of" + where);
+        return above > 0 ? 1 : -1;
     }
 
-    Word check_outside(Word word) {  // returns the first word of the line after these
+    void check_outside() {
         for (Body* body : {&moving, &fixed})
             if (other(*body).solid) body->find_parts();
-        for (uint32_t point; word == "outside"; word = in.any_word()) {
-            Body& body = read_side();
-            if (read_winding(body, point) > 0) fail("the corner is inside of the other body");
-            in.end_of_line();
-            body.proven[body.part[point]] = true;
-        }
+        while (in.peek() == "outside")
+            in.next("outside", [&] {
+                Body& body = read_side();
+                uint32_t point;
+                if (read_winding(body, point) > 0) fail("the corner is inside of the other body");
+                body.proven[body.part[point]] = true;
+            });
         for (const Body* body : {&moving, &fixed})
             for (uint32_t p : body->part)
-                if (!body->proven[p]) fail("a part of the " + body->name + " body has no line 'outside'");
-        return word;
+                if (other(*body).solid && !body->proven[p])
+                    fail("a part of the " + side(*body) + " body has no line 'outside'");
     }
 
     // ---- Proof ---------------------------------------------------------------------------------------------------
 
     void check_proof(size_t piece, double end) {
-        struct Task { Node moving, fixed; size_t cell; };
-        const Motion motion = motion_of(piece, end);
-        vector<Cell> cells(1);  // of the tasks: the cell of a task is never behind that of a later one
-        prepare_filter(cells[0], motion);
-        chain_depth = -1;
+        struct Task { Node moving, fixed; size_t cell; };  // the cell is never behind that of a later task
+        const Motion motion = motion_of(piece);
+        vector<Cell> cells = {{end}};
+        prepared.depth = -1;
         vector<Task> tasks = {{{0, uint32_t(moving.faces()), 0}, {0, uint32_t(fixed.faces()), 0}, 0}};
         for (size_t step = 1; !tasks.empty(); ++step, ++steps) {
             const auto [a, b, number] = tasks.back();
             tasks.pop_back();
             cells.erase(cells.begin() + long(number) + 1, cells.end());
-            Cell& cell = cells[number];
+            const Cell& cell = cells[number];
             const auto refuse = [&, step = step](const string& what) {
                 fail("step " + to_string(step) + " of piece " + to_string(piece) + ": " + what);
             };
@@ -1041,9 +933,9 @@ struct Checker {
                     refuse("the nodes are not on both sides of the plane");
             } else if (word == "T") {
                 if (cell.depth == DEEPEST_CELL) refuse("too many halvings of tau");
-                auto [low, high] = halves(cell);
-                cells.push_back(std::move(high));
-                cells.push_back(std::move(low));
+                const int depth = cell.depth + 1;
+                const Integer low = 2 * cell.index;
+                cells.push_back({end, depth, low + 1}), cells.push_back({end, depth, low});
                 for (size_t half : {1, 2}) tasks.push_back({a, b, number + half});
             } else if (word == "A" || word == "B") {
                 const Node& node = word == "A" ? a : b;
@@ -1057,123 +949,76 @@ struct Checker {
         }
     }
 
-    // The filter is used if all numbers of the bodies and the reach are 0 or in [2^-200, 2^200], and those of cubics 0
-    // or in [2^-300, 2^300]. Numbers of 53 bits are multiples of 2^-252 and 2^-352 then, those of cells of at most 64
-    // halvings of 2^-544, and products of both of 2^-796: so nothing underflows. Nothing overflows either. Of the two
-    // cubics of a sweep the first one stands for both, if their difference is as nothing.
-    void prepare_filter(Cell& cell, const Motion& motion) {
-        rounded_reach = truncated(reach, unit);
-        filter = moving.is_moderate && fixed.is_moderate && moderate(rounded_reach, 200);
-        if (!links.empty()) return;
-        Row<double> most{};  // of the piece
-        const Cubic<Integer> a = bernstein(motion.cubics.front(), 0, 0), b = bernstein(motion.cubics.back(), 0, 0);
-        for (size_t k = 0; k < COLUMNS; ++k) {
-            Integer difference = 0, largest = 0;
-            for (size_t j = 0; j < 4; ++j) {  // [3], [7] and [11] are lengths
-                const double x = truncated(a[j][k], (k % 4 == 3 ? unit : 0) - long(msb(a[0][W])));
-                filter = filter && moderate(x, 300);
-                cell.rounded[j][k] = x, most[k] = std::max(most[k], abs(x));
-                difference = std::max(difference, abs(a[j][k] - b[j][k])), largest = std::max(largest, abs(a[j][k]));
-            }
-            filter = filter && difference << 60 <= largest;
-        }
-        for (size_t i = 0; i < 3; ++i)
-            size[i] = dot({most[4 * i], most[4 * i + 1], most[4 * i + 2]}, moving.largest) + most[4 * i + 3] +
-                      fixed.largest[i] * most[W];
-        size_of_w = most[W];
-    }
-
     template <class N>
     Triple<N> corner(const Body& body, uint32_t point) const {
         if constexpr (std::is_same_v<N, double>) return body.points[point];
         else return in_units(body.points[point], unit);
     }
 
-    template <class N>
-    void find_d(Plane<N>& plane, const vector<uint32_t>& fixed_points, const N& distance) const {
-        plane.d = dot(plane.n, corner<N>(fixed, fixed_points[0]));
-        for (uint32_t p : fixed_points) plane.d = std::max(plane.d, dot(plane.n, corner<N>(fixed, p)));
-        plane.d += plane.s * distance;
-    }
-
     bool separates(const Vector& n, const vector<uint32_t>& moving_points, const vector<uint32_t>& fixed_points,
-                   Cell& cell, const Motion& motion) {
-        if (!links.empty() && (chain_depth != cell.depth || chain_index != cell.index)) prepare_chain(cell, motion);
-        if (filter && separates_clearly(n, moving_points, fixed_points, cell)) return true;
+                   const Cell& cell, const Motion& motion) {
+        if (prepared.depth != cell.depth || prepared.index != cell.index) prepare(cell, motion);
+        if (separates_clearly(n, moving_points, fixed_points)) return true;
         const Integer square = dot(n, n);
-        Plane<Integer> plane{n, sqrt(square)};
-        if (plane.s * plane.s < square) ++plane.s;
-        find_d(plane, fixed_points, reach);
-        if (!links.empty()) return chain_separates(stages, chain_h, plane, moving_points);
-        if (cell.exact.empty())
-            for (const auto& cubic : motion.cubics) cell.exact.push_back(bernstein(cubic, cell.index, cell.depth));
-        return std::all_of(cell.exact.begin(), cell.exact.end(), [&](const Cubic<Integer>& cubic) {
-            return cubic_separates(cubic, plane, moving_points, Integer(0));
-        });
+        Integer s = sqrt(square);
+        if (s * s < square) ++s;
+        const Plane<Integer> plane = {balls(n), s, farthest(n, fixed_points) + s * reach};
+        return chain ? chain_separates(stages, h, plane, moving_points)
+                     : cubic_separates(cubic, plane, moving_points);
     }
 
-    // Whether all Bernstein coefficients are above 0 by more than all errors of rounding. With u = 2^-53 and S the sum
-    // of the absolute values of all terms, which is at most the `sum` below, the errors are at most
-    //   (3 depth + 3) u S  of the coefficients on the cell (see Cell and prepare_filter),
-    //   3 u S              of the products with n, three products and two sums; likewise of n . c,
-    //   4 u S              of the reach (truncated: 2 u), its product with s and the sum with d,
-    //   6 u S              of the products with a corner or W and of the sums,
-    // together less than (3 depth + 17) u S, effects of the second order included. `sum` itself errs by less than
-    // 20 u. (depth + 8) 2^-51 sum = (4 depth + 32) u sum is more. Fused operations would only make errors smaller.
-    // For a chain, d + s D is made larger than it is: it errs by less than 8 u of the sum of its terms.
+    // In floating point. n . n is exact below 2^53, and so is s then: the test corrects the root. Else n . n errs by
+    // 5 u, u = 2^-53, and the root by less than 8 u, which 1 + 2^-49 makes up for. d + s D errs by less than 8 u of the
+    // sum of the absolute values of its terms (if that overflows, nothing is separated).
     bool separates_clearly(const Vector& normal, const vector<uint32_t>& moving_points,
-                           const vector<uint32_t>& fixed_points, const Cell& cell) const {
-        Plane<double> plane;
-        Corner& n = plane.n;
+                           const vector<uint32_t>& fixed_points) const {
+        Corner n;
         for (size_t i = 0; i < 3; ++i) {
             if (abs(normal[i]) > (std::int64_t(1) << 50)) return false;
             n[i] = double(std::int64_t(normal[i]));  // exact
         }
-        // n . n is exact below 2^53, and so is s then: the test corrects the root. Else n . n errs by 5 u, and the root
-        // by less than 8 u, which 1 + 2^-49 makes up for.
-        const double square = dot(n, n);
-        double& s = plane.s = std::ceil(std::sqrt(square));
+        const double square = dot(n, n), distance = truncated(reach, unit);
+        double s = std::ceil(std::sqrt(square));
         if (square >= 0x1p53 || s * s < square) s = (s + 1) * (1 + 0x1p-49);
-        find_d(plane, fixed_points, rounded_reach);
-        const Corner weights = {abs(n[0]), abs(n[1]), abs(n[2])};
-        if (!links.empty()) {
-            plane.d += up((dot(weights, fixed.largest) + s * rounded_reach) * 0x1p-50);
-            return chain_separates(rounded_stages, up(truncated(chain_h, -BITS)), plane, moving_points);
-        }
-        const double sum = dot(weights, size) + s * rounded_reach * size_of_w;
-        const double error = (cell.depth + 8) * 0x1p-51 * sum;
-        return cell.depth <= 64 && cubic_separates(cell.rounded, plane, moving_points, error);
+        const double terms = dot({abs(n[0]), abs(n[1]), abs(n[2])}, fixed.largest) + s * distance;
+        const Plane<double> plane = {balls(n), s, {farthest(n, fixed_points) + s * distance, up(terms * 0x1p-50)}};
+        return chain ? chain_separates(rounded_stages, up(truncated(h, -BITS)), plane, moving_points)
+                     : cubic_separates(rounded_cubic, plane, moving_points);
     }
 
     template <class N>
-    bool cubic_separates(const Cubic<N>& cubic, const Plane<N>& plane, const vector<uint32_t>& moving_points,
-                         const N& error) const {
-        const Triple<N>& n = plane.n;
-        for (const auto& b : cubic) {
-            Triple<N> row;
-            for (size_t k = 0; k < 3; ++k) row[k] = n[0] * b[k] + n[1] * b[4 + k] + n[2] * b[8 + k];
-            const N constant = n[0] * b[3] + n[1] * b[7] + n[2] * b[11] - plane.d * b[W];
+    N farthest(const Triple<N>& n, const vector<uint32_t>& fixed_points) const {  // d of the page
+        N d = dot(n, corner<N>(fixed, fixed_points[0]));
+        for (uint32_t p : fixed_points) d = std::max(d, dot(n, corner<N>(fixed, p)));
+        return d;
+    }
+
+    template <class N>
+    bool cubic_separates(const Cubic<N>& c, const Plane<N>& plane, const vector<uint32_t>& moving_points) const {
+        for (const Row<Ball<N>>& b : c) {
+            Triple<Ball<N>> row;
+            for (size_t k = 0; k < 3; ++k) row[k] = dot(plane.n, {b[k], b[4 + k], b[8 + k]});
+            const Ball<N> constant = dot(plane.n, {b[3], b[7], b[11]}) - plane.d * b[W];
             for (uint32_t p : moving_points)
-                if (!(dot(row, corner<N>(moving, p)) + constant > error)) return false;
+                if ((dot(row, balls(corner<N>(moving, p))) + constant).sign() <= 0) return false;
         }
         return true;
     }
 
     template <class N>
-    bool chain_separates(const vector<Stage<N>>& all, const N& h, const Plane<N>& plane,
+    bool chain_separates(const vector<Stage<N>>& all, const N& half, const Plane<N>& plane,
                          const vector<uint32_t>& moving_points) const {
-        const Triple<Ball<N>> n = balls(plane.n);
         for (uint32_t p : moving_points) {
             const Triple<N> b = corner<N>(moving, p);
             N g = 0;
             for (const Stage<N>& stage : all) {
                 const Triple<Ball<N>> y = image(stage.place, b), rate = image(stage.rate, b);
                 if (&stage == &all.back()) {  // n . x - h |n . x'| - s g h^2 / 2 > d + s D, times two
-                    const Ball<N> x = dot(n, y) - plane.d,
-                        rest = {0, 2 * up(h * dot(n, rate).most()) + plane.s * up(h * up(h * g))};
+                    const Ball<N> x = dot(plane.n, y) - plane.d,
+                        rest = {0, 2 * up(half * dot(plane.n, rate).most()) + plane.s * up(half * up(half * g))};
                     if ((x + x + rest).sign() <= 0) return false;
                 } else {
-                    const N f = length(rate) + up(h * g), r = length(y) + up(h * f);
+                    const N f = length(rate) + up(half * g), r = length(y) + up(half * f);
                     g += up(stage.omega * (2 * f + up(stage.omega * r)));
                     if (absurd(g)) return false;
                 }
@@ -1182,11 +1027,15 @@ struct Checker {
         return true;
     }
 
-    void prepare_chain(const Cell& cell, const Motion& motion) {
-        chain_depth = cell.depth, chain_index = cell.index;
-        const auto [mantissa, exponent] = dyadic(motion.end);
+    void prepare(const Cell& cell, const Motion& motion) {
+        prepared = cell;
+        if (!chain) {
+            cubic = bernstein(motion.cubic, cell), rounded_cubic = rounded(cubic, unit);
+            return;
+        }
+        const auto [mantissa, exponent] = dyadic(cell.end);
         const int power = exponent - cell.depth - 1;
-        chain_h = fixed_point(mantissa, power).most();
+        h = fixed_point(mantissa, power).most();
         stages = stages_of(motion.links, fixed_point(mantissa * (2 * cell.index + 1), power));
         rounded_stages.assign(stages.size(), {});
         for (size_t s = 0; s < stages.size(); ++s) {
@@ -1200,23 +1049,16 @@ struct Checker {
 
     // ---- Witness -------------------------------------------------------------------------------------------------
 
-    Enclosure placed(const Body& body, size_t face, size_t k) const {  // a corner at the place, times W
-        const Enclosure c = balls(in_units(body.corner(face, k), unit));
-        if (&body == &fixed) return place[W] * c;
-        const auto row = [&](size_t i) { return dot({place[i], place[i + 1], place[i + 2]}, c) + place[i + 3]; };
-        return {row(0), row(4), row(8)};
-    }
-
     size_t read_convex_face(const Body& body) {
         const size_t face = in.number(body.faces()), count = body.size(face);
         vector<Vector> c;
-        for (size_t k = 0; k < count && count > 3; ++k) c.push_back(in_units(body.corner(face, k), unit));
+        for (size_t k = 0; k < count && count > 3; ++k) c.push_back(corner<Integer>(body, body.point(face, k)));
         Vector normal;
         for (size_t k = 1; k + 1 < c.size(); ++k) normal = normal + cross(c[k] - c[0], c[k + 1] - c[0]);
         for (size_t k = 0; k < c.size(); ++k) {
             const Vector edge = c[(k + 1) % count] - c[k], next = c[(k + 2) % count] - c[(k + 1) % count];
             if (is_zero(normal) || dot(normal, cross(edge, next)) < 0 || dot(normal, cross(c[k] - c[0], edge)) < 0)
-                fail("face " + to_string(face) + " of the " + body.name + " body is not convex");
+                fail("face " + to_string(face) + " of the " + side(body) + " body is not convex");
         }
         return face;
     }
@@ -1237,7 +1079,7 @@ struct Checker {
 
     void check_witness() {
         const string type(in.word());
-        if (type != "cross" && type != "near" && (type != "inside" || verdict != "start"))
+        if (type != "cross" && type != "near" && (type != "inside" || verdict.kind != "start"))
             fail("the witness " + quote(type) + " is unknown or only for the start");
         if (type == "inside") {
             uint32_t corner;
@@ -1245,8 +1087,8 @@ struct Checker {
             return;
         }
         const double tau = in.not_negative();
-        if (verdict == "start" ? tau != 0 : tau < lower || tau > upper) fail("TAU is not where the verdict says");
-        place = place_at(contact_piece, tau);
+        if (tau < verdict.lower || tau > verdict.upper) fail("TAU is not where the verdict says");
+        place = place_at(verdict.piece, tau);
         if (type == "near") {
             const auto [p, p_sum] = read_weighted_point(moving);
             const auto [q, q_sum] = read_weighted_point(fixed);
@@ -1274,27 +1116,223 @@ struct Checker {
             if (!dot(normal, cross(t[(i + 1) % 3] - t[i], meeting - (a - b) * t[i])).not_negative())
                 fail("the edge meets the plane outside of the triangle");
     }
+};
 
-    string claims() const {
-        std::ostringstream out;
-        const auto text = [](double x) {  // the shortest that is read as x
-            std::array<char, 32> digits;
-            return " " + string(&digits[0], std::to_chars(&digits[0], &digits[0] + 32, x).ptr);
-        };
-        const auto print = [&](const string& name, const auto& numbers) {
-            out << "\n" << name;
-            for (double x : numbers) out << text(x);
-        };
-        out << "verified: " << verdict;
-        if (verdict == "contact") out << " " << contact_piece << text(lower) << text(upper);
-        print("margin", std::array{margin}), print("radius", radii);
-        out << "\nsolid " << solid << "\nmotion " << kind;
-        if (kind == "sweep") print("centre", centre);
-        for (const Link& link : links) print((link.back ? "link back " : "link ") + link.kind, link.fixed);
-        const string name = links.empty() ? " pose" : " knot";
-        print("first" + name, knots.front()), print("last" + name, knots.back());
-        out << "\npieces " << pieces << "\nsteps " << steps;
-        return out.str();
+// ---- The file ----------------------------------------------------------------------------------------------------
+
+struct Checker {
+    Reader& in;
+    vector<Body> bodies{};
+    Verdict verdict{};
+    double margin = 0;  // of a scene: that of the last pair
+    string claims{};
+
+    string check(const vector<Mesh>& meshes) {
+        for (const Mesh& mesh : meshes) {
+            bodies.push_back({bodies.empty() ? "moving " : bodies.size() == 1 ? "fixed " : ""});
+            bodies.back().read(mesh);
+        }
+        in.next("chasles", [&] { in.expect("certificate", in.word()), in.expect("1", in.word()); });
+        const bool scene = in.peek() == "scene";
+        scene ? read_scene() : read_pair();
+        const bool start = verdict.kind == "start";
+        size_t steps = 0;
+        std::optional<Pair> touching;
+        for (size_t i = 0; i < bodies.size(); ++i)
+            for (size_t j = i + 1; j < bodies.size(); ++j) {
+                const bool touches = verdict.kind != "clear" && i == verdict.i && j == verdict.j;
+                if ((start && !touches) || (scene && !read_pair_line(i, j, touches))) continue;
+                Pair pair(in, verdict, bodies[i], bodies[j], margin);
+                for (Body& body : bodies)
+                    if (!scene && !start) read_order(body, pair.side(body));
+                if (!start) pair.check_proofs();
+                steps += pair.steps;
+                if (touches) touching.emplace(std::move(pair));
+            }
+        if (touching) in.next("witness", [&] { touching->check_witness(); });
+        const Word word = in.any_word();
+        if (!word.empty()) fail("unexpected word " + quote(word) + " after the end");
+        return claims + "\npieces " + to_string(verdict.pieces) + "\nsteps " + to_string(steps);
+    }
+
+    static string text(string name, const vector<double>& numbers) {
+        for (double x : numbers) {
+            std::array<char, 32> digits;  // the shortest that are read as x
+            name += ' ', name.append(&digits[0], std::to_chars(&digits[0], &digits[0] + 32, x).ptr);
+        }
+        return name;
+    }
+
+    void read_pair() {
+        if (bodies.size() != 2) fail("a certificate of a pair needs two meshes");
+        Body &moving = bodies[0], &fixed = bodies[1];
+        for (Body* body : {&moving, &fixed})
+            in.next(body == &moving ? "moving" : "fixed", [&] {
+                if (in.word() != body->hash) fail("the hash is that of another " + body->name + "body");
+                if (in.number(MOST_FACES) != body->faces()) fail("wrong number of faces");
+            });
+        in.next("solid", [&] {
+            const string solid(in.word());
+            moving.solid = solid == "moving" || solid == "both";
+            fixed.solid = solid == "fixed" || solid == "both";
+            if (!moving.solid && !fixed.solid && solid != "none") fail("unknown word " + quote(solid));
+            claims = "\nsolid " + solid;
+        });
+        for (const Body& body : bodies) body.check_solid();
+        in.next("radius", [&] { moving.radius = in.not_negative(), fixed.radius = in.not_negative(); });
+        in.next("margin", [&] { margin = in.not_negative(); });
+        claims = text("\nmargin", {margin}) + text("\nradius", {moving.radius, fixed.radius}) + claims;
+        string kind;
+        in.next("motion", [&] {
+            kind = in.word();
+            if (kind != "screw" && kind != "sweep" && kind != "chain") fail("unknown motion " + quote(kind));
+            verdict.pieces = in.number(MOST_PIECES + 1, 1);
+            moving.links.resize(kind == "chain" ? in.number(MOST_LINKS + 1, 1) : 1);
+        });
+        claims += "\nmotion " + kind;
+        if (kind == "chain") read_links(moving);
+        else moving.links[0].kind = kind, moving.links[0].size = 7;
+        if (kind == "sweep") {
+            in.next("centre", [&] { read_vector(moving.links[0]); });
+            moving.lengths.add(moving.links[0].fixed);
+            claims += text("\ncentre", moving.links[0].fixed);
+        }
+        read_knots(moving, kind == "chain" ? "knot" : "pose");
+        read_verdict(false);
+    }
+
+    void read_scene() {
+        const vector<Body> meshes = std::move(bodies);
+        vector<bool> used(meshes.size(), false);
+        size_t count = 0;
+        in.next("scene", [&] {
+            count = in.number(MOST_BODIES + 1, 2), verdict.pieces = in.number(MOST_PIECES + 1, 1);
+        });
+        for (bodies.clear(); bodies.size() < count;) {
+            in.next("body", [&] {
+                const string hash(in.word());
+                size_t mesh = 0;
+                while (mesh < meshes.size() && meshes[mesh].hash != hash) ++mesh;
+                if (mesh == meshes.size()) fail("no mesh has the hash " + quote(hash));
+                used[mesh] = true;
+                bodies.push_back(meshes[mesh]);
+                Body& body = bodies.back();
+                body.name.clear();
+                if (in.number(MOST_FACES) != body.faces()) fail("wrong number of faces");
+                const string type(in.word());
+                if (type != "solid" && type != "surface") fail("unknown word " + quote(type));
+                body.solid = type == "solid", body.radius = in.not_negative();
+                body.links.resize(in.number(MOST_LINKS + 1));
+                claims += "\nbody " + to_string(bodies.size() - 1) + " " + hash;
+                claims += text(" " + type + " radius", {body.radius});
+            });
+            Body& body = bodies.back();
+            body.check_solid();
+            read_links(body);
+            if (std::any_of(body.links.begin(), body.links.end(), [](const Link& link) { return link.size > 0; }))
+                read_knots(body, "knot");
+            read_order(body, "");
+        }
+        if (std::find(used.begin(), used.end(), false) != used.end()) fail("a mesh is of no body, or given twice");
+        read_verdict(true);
+    }
+
+    void read_order(Body& body, const string& side) {
+        body.node_points.resize(2 * body.faces() - 1);
+        in.next("order", [&] {
+            if (!side.empty()) in.expect(side, in.word());
+            vector<bool> used(body.faces(), false);
+            for (size_t i = 0; i < body.faces(); ++i) {
+                body.order.push_back(uint32_t(in.number(body.faces())));
+                if (used[body.order[i]]) fail("face " + to_string(body.order[i]) + " is twice in the order");
+                used[body.order[i]] = true;
+            }
+        });
+    }
+
+    void read_verdict(bool scene) {
+        in.next("verdict", [&] {
+            string& kind = verdict.kind = in.word();
+            string what = "verified: " + kind;
+            if (kind == "contact") {
+                verdict.piece = in.number(verdict.pieces);
+                verdict.lower = in.not_negative(), verdict.upper = in.not_negative();
+                if (!(verdict.lower <= verdict.upper && verdict.upper <= 1))
+                    fail("LOWER and UPPER are not in order in [0, 1]");
+                what += text(" " + to_string(verdict.piece), {verdict.lower, verdict.upper});
+            } else if (kind == "clear") {
+                verdict.piece = verdict.pieces - 1, verdict.lower = 1;
+            } else if (kind != "start") {
+                fail("unknown verdict " + quote(kind));
+            }
+            if (scene && kind != "clear") {
+                verdict.i = in.number(bodies.size()), verdict.j = in.number(bodies.size(), verdict.i + 1);
+                what += " " + to_string(verdict.i) + " " + to_string(verdict.j);
+            }
+            claims = what + claims;
+        });
+    }
+
+    bool read_pair_line(size_t i, size_t j, bool touches) {  // whether the pair is tested
+        const bool tested = touches || in.peek() != "untested";
+        const string pair = " " + to_string(i) + " " + to_string(j);
+        in.next(tested ? "pair" : "untested", [&] {
+            if (in.number(bodies.size()) != i || in.number(bodies.size()) != j) fail("not the pair" + pair);
+            if (tested) margin = in.not_negative();
+        });
+        claims += tested ? text("\npair" + pair + " margin", {margin}) : "\nuntested" + pair;
+        return tested;
+    }
+
+    void read_vector(Link& link) {
+        while (link.fixed.size() < 3) link.fixed.push_back(in.real());
+    }
+
+    void read_pose(vector<double>& numbers, Range& lengths) {
+        for (size_t i = 0; i < 7; ++i) numbers.push_back(in.real());
+        const double* x = &numbers.back() - 6;
+        if (x[3] == 0 && Corner{x[4], x[5], x[6]} == Corner{}) fail("a quaternion of length 0");
+        lengths.add(Corner{x[0], x[1], x[2]});
+    }
+
+    void read_links(Body& body) {
+        static const std::map<string, size_t> SIZES = {
+            {"pose", 0}, {"slide", 1}, {"turn", 1}, {"velocity", 7}, {"twist", 7}};
+        for (Link& link : body.links)
+            in.next("link", [&] {
+                link.kind = in.word();
+                link.back = link.kind == "back";
+                if (link.back) link.kind = in.word();
+                if (!SIZES.contains(link.kind)) fail("unknown link " + quote(link.kind));
+                link.size = SIZES.at(link.kind);
+                if (link.kind == "pose") read_pose(link.fixed, body.lengths);
+                else if (link.kind != "twist") read_vector(link);
+                if (link.kind == "velocity") body.lengths.add(link.fixed);
+                if (link.kind == "turn" && link.fixed == vector<double>(3)) fail("a direction that is 0");
+                claims += text((link.back ? "\nlink back " : "\nlink ") + link.kind, link.fixed);
+            });
+    }
+
+    void read_knots(Body& body, const string& keyword) {
+        for (size_t knot = 0; knot <= verdict.pieces; ++knot) {
+            const bool printed = knot == 0 || knot == verdict.pieces;
+            if (printed) claims += (knot == 0 ? "\nfirst " : "\nlast ") + keyword;
+            in.next(keyword, [&] {
+                for (Link& link : body.links) {
+                    vector<double>& numbers = link.numbers;
+                    if (link.size == 1) numbers.push_back(in.real());
+                    if (link.kind == "slide") body.lengths.add(std::array{numbers.back()});
+                    if (link.between_poses()) read_pose(numbers, body.lengths);
+                    if (link.is_cubic() && in.more()) read_pose(numbers, body.lengths);
+                    if (knot == 0) link.size = numbers.size();
+                    if (numbers.size() != link.size * (knot + 1)) fail("poses of seven and of fourteen numbers");
+                    if (printed) claims += text("", {numbers.end() - long(link.size), numbers.end()});
+                }
+                for (const Link& link : body.links)  // the unit of length does not matter
+                    if (link.between_poses() && knot > 0)
+                        turn(pose_at(link, knot - 1, SMALLEST).q, pose_at(link, knot, SMALLEST).q);
+            });
+        }
     }
 };
 
@@ -1397,10 +1435,10 @@ Mesh read_mesh(const string& path) {
     }
 }
 
-Verified verify(const Mesh& moving, const Mesh& fixed, std::istream& certificate) {
+Verified verify(const vector<Mesh>& meshes, std::istream& certificate) {
     Reader reader{certificate, false};
     try {
-        return {true, Checker{reader}.check(moving, fixed)};
+        return {true, Checker{reader}.check(meshes)};
     } catch (const std::exception& reason) {  // std::bad_alloc too
         return {false, "not verified: line " + to_string(reader.line) + ": " + reason.what()};
     }
@@ -1411,16 +1449,17 @@ Verified verify(const Mesh& moving, const Mesh& fixed, std::istream& certificate
 #ifndef CERTIFICATE_NO_MAIN
 int main(int argc, char** argv) {
     std::error_code error;
-    for (int i = 1; i < 4; ++i)
-        if (argc != 4 || !std::filesystem::is_regular_file(argv[i], error) || !std::ifstream(argv[i])) {
-            std::cerr << (argc != 4 ? "usage: verify MOVING FIXED CERTIFICATE" : "cannot read a file") << std::endl;
+    for (int i = 1; i < std::max(argc, 2); ++i)
+        if (argc < 3 || !std::filesystem::is_regular_file(argv[i], error) || !std::ifstream(argv[i])) {
+            std::cerr << (argc < 3 ? "usage: verify MESH [MESH ...] CERTIFICATE" : "cannot read a file") << std::endl;
             return 2;
         }
     certificate::Verified result;
     try {
-        const certificate::Mesh moving = certificate::read_mesh(argv[1]), fixed = certificate::read_mesh(argv[2]);
-        std::ifstream file(argv[3], std::ios::binary);
-        result = certificate::verify(moving, fixed, file);
+        std::vector<certificate::Mesh> meshes;
+        for (int i = 1; i < argc - 1; ++i) meshes.push_back(certificate::read_mesh(argv[i]));
+        std::ifstream file(argv[argc - 1], std::ios::binary);
+        result = certificate::verify(meshes, file);
     } catch (const std::exception& reason) {
         result.message = std::string("not verified: ") + reason.what();
     }

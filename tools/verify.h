@@ -1,4 +1,4 @@
-// A checker of certificates about the contact of two moving bodies. See verify.cpp.
+// A checker of certificates about the contact of moving bodies. See verify.cpp.
 #pragma once
 #include <array>
 #include <istream>
@@ -18,7 +18,8 @@ struct Verified {
 // Reads an OBJ or STL file. Throws std::runtime_error.
 Mesh read_mesh(const std::string& path);
 
-// Checks all that the certificate says. Never throws for what the certificate or the meshes contain.
-Verified verify(const Mesh& moving, const Mesh& fixed, std::istream& certificate);
+// Checks all that the certificate says. Never throws for what the certificate or the meshes contain. Of a pair the
+// meshes are the moving and the fixed one, of a scene those of all bodies in any order, each once.
+Verified verify(const std::vector<Mesh>& meshes, std::istream& certificate);
 
 }  // namespace certificate

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-# Checks a Chasles certificate:  verify.py MOVING FIXED CERTIFICATE
+# Checks a Chasles certificate:  verify.py MESH [MESH ...] CERTIFICATE
 #
-# MOVING and FIXED are mesh files (.obj or .stl). Exit status: 0 verified; 1 not verified, with the reason on standard
-# output; 2 wrong usage, or a file that cannot be read. After reading, only integers are computed with: lengths are
-# multiples of one unit, a power of two that divides all lengths of the meshes and of the certificate. What is no
-# fraction (in sweeps and chains) is rounded, with a bound of the error that goes through to all conditions.
-import fractions, functools, hashlib, io, math, re, struct, sys
+# The meshes (.obj or .stl) of a pair are two: those of the moving and of the fixed body. Of a scene they are all that
+# differ, once each, in any order. Exit status: 0 verified; 1 not verified, with the reason on standard output; 2 wrong
+# usage, or a file that cannot be read. After reading, only integers are computed with: lengths are multiples of one
+# unit, a power of two that divides all lengths of two bodies and of their motion. What is no fraction (in sweeps and
+# chains) is rounded, with a bound of the error that goes through to all conditions.
+import fractions, functools, hashlib, io, itertools, math, re, struct, sys
 
 MAX_MESH, MAX_LINE, MAX_DEPTH = 1 << 28, 1 << 26, 4000   # bytes of a mesh and of a line; halvings of a cell
 BITS = 192           # enclosures are narrower than 2^-BITS of the largest number, times a small one
@@ -146,8 +147,9 @@ def quaternion(numbers):
     return q
 
 
-# Doubles as multiples of 1 / unit, a power of two.
+# Doubles as multiples of 1 / unit, a power of two; and the least unit that does.
 def integers(values, unit): return tuple(a * (unit // b) for a, b in (x.as_integer_ratio() for x in values))
+def finest(values): return max((x.as_integer_ratio()[1] for x in values), default=1)
 
 
 # The words of a certificate, by lines or (in a proof) one by one; row has those of the line to come, reversed.
@@ -214,14 +216,14 @@ def stl_faces(data):
     return faces
 
 
-# A face is a list of indices of corners; equal corners have one index. order and corners (integers) are set later.
-class Body:
+# A face is a list of indices of corners; equal corners have one index.
+class Mesh:
     def __init__(self, name, path):
-        WHERE.update(file=name + " mesh", line=0)
+        WHERE.update(file=name, line=0)
         with open(path, "rb") as file: data = file.read(MAX_MESH + 1)
         need(len(data) <= MAX_MESH, "the file is too large")
         numbers, digest = {}, hashlib.sha256()
-        self.name, self.solid, self.faces = name, False, []
+        self.path, self.faces = path, []
         for face in (obj_faces if path.lower().endswith(".obj") else stl_faces)(data):
             face = [tuple([x + 0.0 for x in p]) for p in face]   # -0 becomes 0
             need(all(math.isfinite(x) for p in face for x in p), f"a number of face {len(self.faces)} is not finite")
@@ -229,21 +231,24 @@ class Body:
             self.faces.append([numbers.setdefault(p, len(numbers)) for p in face])
         need(self.faces, "there are no faces")
         self.hash, self.points = digest.hexdigest(), list(numbers)
-        self.node = functools.lru_cache(maxsize=None)(lambda begin, end: [   # the different corners of a node
-            self.corners[v] for v in {v for f in self.order[begin:end] for v in self.faces[f]}])
+        numbers = [x for p in self.points for x in p]
+        self.finest, self.largest = finest(numbers), max(map(abs, numbers))
+        self.integers = functools.lru_cache(maxsize=4)(lambda unit: [integers(p, unit) for p in self.points])
 
-    # No face has a corner twice, so none has an edge twice or in both directions.
-    def is_closed(self):
-        edges, text = {}, f"the {self.name} body is no solid:"
+    # Why this is no solid, or nothing. No face has a corner twice, so none has an edge twice or in both directions.
+    @functools.cached_property
+    def flaw(self):
+        edges = {}
         for f, face in enumerate(self.faces):
-            need(len(set(face)) == len(face), f"{text} face {f} has a corner twice")
+            if len(set(face)) < len(face): return f"face {f} has a corner twice"
             for edge in zip(face, face[1:] + face[:1]):
-                need(edges.setdefault(edge, f) == f, f"{text} faces {edges[edge]} and {f} have an edge in one sense")
+                if edges.setdefault(edge, f) != f: return f"faces {edges[edge]} and {f} have an edge in one sense"
         for (p, q), f in edges.items():
-            need((q, p) in edges, f"{text} an edge of face {f} is of no other face")
-        return True
+            if (q, p) not in edges: return f"an edge of face {f} is of no other face"
+        return ""
 
     # For each corner the first one of the list of the corners of its connected part of the surface.
+    @functools.cached_property
     def parts(self):
         part = [[v] for v in range(len(self.points))]
         for p, q in ((face[0], v) for face in self.faces for v in face):
@@ -254,9 +259,43 @@ class Body:
         return [corners[0] for corners in part]
 
 
+# Several bodies may have one mesh. finest: the least unit.
+class Body:
+    def __init__(self, text, mesh, solid):
+        need(not (solid and mesh.flaw), f"{text} is no solid: {mesh.flaw}")
+        self.mesh, self.faces, self.solid, self.unit, self.finest = mesh, mesh.faces, solid, 0, mesh.finest
+        self.indices = functools.lru_cache(maxsize=None)(lambda begin, end: [   # of the different corners of a node
+            *{v for f in self.order[begin:end] for v in self.faces[f]}])
+        self.node = functools.lru_cache(maxsize=None)(lambda begin, end: [   # these corners
+            self.corners[v] for v in self.indices(begin, end)])
+
+    def read_order(self, reader, head):
+        self.order = list(map(integer, reader.take(head, len(self.faces))))
+        need(sorted(self.order) == list(range(len(self.faces))), "the order is no permutation of the faces")
+
+    # The corners become integers. size is at least the length of each, also of those of a box around them.
+    def fit(self, name, unit):
+        self.name = name
+        if unit != self.unit:
+            self.unit, self.corners = unit, self.mesh.integers(unit)
+            self.size = total([max(map(abs, x)) for x in zip(*self.corners)])
+            self.node.cache_clear()
+
+
+# Makes two bodies the moving and the fixed one, and returns a unit that divides their lengths and the numbers. For
+# chains it is a small one, so that lengths may be rounded.
+def fit(bodies, numbers, rounded):
+    unit = max(finest(numbers), *(body.finest for body in bodies))
+    if rounded:
+        largest, = integers([max(body.mesh.largest for body in bodies)], unit)
+        unit <<= max(0, BITS - largest.bit_length())
+    for body, name in zip(bodies, NAMES): body.fit(name, unit)
+    return unit
+
+
 # --- screws and sweeps -----------------------------------------------------------------------------------------------
 
-# Of a motion: count is the number of pieces, numbers has its lengths, texts say what it is.
+# Of a motion: count is the number of pieces, texts say what it is.
 class Rigid:
     def __init__(self, reader, kind):
         self.count, self.knots = integer(reader.take("motion " + kind, 1)[0], 1), []
@@ -267,9 +306,11 @@ class Rigid:
             moving, fixed = quaternion(row), quaternion(row[7:])
             self.knots.append((row, fixed, product(conjugate(fixed), moving)))
             need(relative(self.knots[-2:][0][2], self.knots[-1][2])[0], "the piece is half a turn")
-        self.numbers = [x for row, *_ in self.knots for x in row[:3] + row[7:10]] + self.centre
         self.texts = [f"motion: {kind} {'about ' * bool(self.centre)}{shown(self.centre)}".strip(),
                       *(f"{name} pose: {shown(self.knots[i][0][:size])}" for name, i in (("first", 0), ("last", -1)))]
+
+    # All lengths.
+    def numbers(self): return [x for row, *_ in self.knots for x in row[:3] + row[7:10]] + self.centre
 
     # Knot i as seen from the fixed body: the position, times a number, that number, and the quaternion.
     def knot(self, i, unit):
@@ -373,34 +414,52 @@ def stretched(rows, end):
 
 # --- chains ----------------------------------------------------------------------------------------------------------
 
+# A link is a tuple: back, kind, its numbers, and those at each knot (if the chain has any). The outermost is the first.
 class Chain:
-    def __init__(self, reader):
-        self.count, count = (integer(word, 1) for word in reader.take("motion chain", 2))
-        self.links, self.knots, self.texts, width = [], [], ["motion: chain"], 0
-        while len(self.links) < count:
-            words = reader.take("link", max(1, len(reader.peek()) - 1))
-            back = words[0] == "back"
-            kind, numbers = "".join(words[back:back + 1]), [real(word) for word in words[back + 1:]]
-            need(kind in LINKS and len(numbers) == LINKS[kind][0], "unknown link, or a wrong count of its numbers")
-            need(kind != "turn" or any(numbers), "the axis is 0")
-            if kind == "pose": quaternion(numbers)
-            self.texts.append(f"link: {'back ' * back}{kind} {shown(numbers)}".strip())
-            self.links.append((back, kind, numbers, slice(width, width + LINKS[kind][1])))
-            width += LINKS[kind][1]
-        while len(self.knots) <= self.count:
-            row = [real(word) for word in reader.take("knot", width)]
-            if len(self.knots) in (0, self.count): self.texts.append(f"knot {len(self.knots)}: {shown(row)}".strip())
-            self.knots.append([row[part] for *_, part in self.links])
-            for start, end in zip(self.knots[-2:][0], self.knots[-1]):   # of the first knot with itself
-                if len(end) == 7: need(relative(quaternion(start), quaternion(end))[0], "the piece is half a turn")
+    def __init__(self, count, links, texts=()):
+        self.count, self.links, self.texts = count, links, ["motion: chain", *texts]
 
-        rows = [numbers for _, _, numbers, _ in self.links] + [part for knot in self.knots for part in knot]
-        self.numbers = [x for row in rows for x in row]
+    # All lengths, in no order.
+    def numbers(self): return [x for _, _, numbers, knots in self.links for row in (numbers, *knots) for x in row]
 
     def piece(self, i, unit, bodies):
-        links = [(back, kind, *(integers(x, unit) for x in (numbers, start, end)))
-                 for (back, kind, numbers, _), start, end in zip(self.links, *self.knots[i:i + 2])]
-        return ChainPiece(links, unit, max(map(total, bodies[0].corners)))
+        links = [(back, kind, *(integers(x, unit) for x in (numbers, *(knots[i:i + 2] or ((), ())))))
+                 for back, kind, numbers, knots in self.links]
+        return ChainPiece(links, unit, bodies[0].size)
+
+
+# Reads the links of a chain. Links of the same numbers (those of known) become one object.
+def read_chain(reader, count, size, known, pair=True):
+    heads, rows, texts, width = [], [], [], 0
+    while len(heads) < size:
+        words = reader.take("link", max(1, len(reader.peek()) - 1))
+        back = words[0] == "back"
+        kind, numbers = "".join(words[back:back + 1]), [real(word) for word in words[back + 1:]]
+        need(kind in LINKS and len(numbers) == LINKS[kind][0], "unknown link, or a wrong count of its numbers")
+        need(kind != "turn" or any(numbers), "the axis is 0")
+        if kind == "pose": quaternion(numbers)
+        texts.append(f"link: {'back ' * back}{kind} {shown(numbers)}".strip())
+        heads.append((back, kind, numbers, slice(width, width + LINKS[kind][1])))
+        width += LINKS[kind][1]
+    while len(rows) <= count and (pair or width):   # in a pair, poses alone have knots without numbers
+        row = [real(word) for word in reader.take("knot", width)]
+        if len(rows) in (0, count): texts.append(f"knot {len(rows)}: {shown(row)}".strip())
+        rows.append(row)
+        for _, kind, _, part in heads:
+            if LINKS[kind][1] == 7:   # the first knot with itself
+                start, end = (quaternion(numbers[part]) for numbers in (rows[-2:][0], rows[-1]))
+                need(relative(start, end)[0], "the piece is half a turn")
+    links = [known.setdefault((back, kind, *numbers, *(x for row in rows for x in row[part])),
+                              (back, kind, numbers, [row[part] for row in rows]))
+             for back, kind, numbers, part in heads]
+    return Chain(count, links, texts)
+
+
+# The motion of a body that moves by the first chain as seen from one that moves by the second.
+def seen_from(chain, other):
+    common = sum(1 for _ in itertools.takewhile(lambda links: links[0] is links[1], zip(chain.links, other.links)))
+    links = [(not back, *rest) for back, *rest in reversed(other.links[common:])] + chain.links[common:]
+    return Chain(chain.count, links or [(False, "pose", (0, 0, 0, 1, 0, 0, 0), ())])
 
 
 # A vector is a pair (x, e): the true vector is within e of the integers x. Lengths are integers as they are; numbers
@@ -422,7 +481,8 @@ class ChainPiece:
         if kind == "slide": return *((floor(scale(s, numbers), self.unit), 2) for s in steps), None, zero, None, 0, 0, 0
         if kind == "turn":
             theta, omega = (one * s // self.unit for s in steps)
-            return zero, zero, None, zero, direction(numbers, self.bits), theta, omega, (abs(omega) + 2) * (start != end)
+            turn = direction(numbers, self.bits), theta, omega, (abs(omega) + 2) * (start != end)
+            return zero, zero, None, zero, *turn
         w, v, unit, t0, way, c = course(*((x[:3], 1, x[3:]) for x in (start, end)), numbers)
         a, way, b = ((floor(x, unit), 2) for x in (add(t0, c), way, scale(-1, c)))
         omega = double_angle(w, dot(v, v), self.bits)
@@ -501,10 +561,12 @@ class ChainPiece:
             rest = error + 2 - (-rate_error * num >> shift) - (-g * num * num >> 2 * shift + 1)
             return self.image(place, p), floor(scale(num, self.image(rate, p)), 1 << shift), rest
 
+        # At each tau n . p is linear in the corner: what is above top at the corners of a box is so in all of it.
         def test(n, root, top, corners, depth, j):
-            found = (corner(p, depth, j) for p in corners)
-            need(all(dot(n, place) - abs(dot(n, way)) > top + root * rest for place, way, rest in found),
-                 "the plane does not separate")
+            above = lambda points: all(dot(n, place) - abs(dot(n, way)) > top + root * rest
+                                       for place, way, rest in (corner(p, depth, j) for p in points))
+            box = itertools.product(*((min(x), max(x)) for x in zip(*corners)))
+            need((len(corners) > 16 and above(box)) or above(corners), "the plane does not separate")
 
         return test
 
@@ -585,7 +647,7 @@ def winding_at_start(bodies, start, name, f, c, *ray):
 
 
 def check_outside(reader, bodies, start):
-    parts, found = {body.name: body.parts() for body in bodies}, set()
+    parts, found = {body.name: body.mesh.parts for body in bodies}, set()
     while reader.peek()[:1] == ["outside"]:
         count, body, corner = winding_at_start(bodies, start, *reader.take("outside", 6))
         need(count <= 0, "the corner is inside of the other body")
@@ -622,14 +684,15 @@ def weighted(body, error, f, i, j, k, *weights):
     return functools.reduce(add, map(scale, weights, enclosed(body, (face[0], face[j], face[k]), error))), sum(weights)
 
 
-def check_witness(reader, bodies, piece, verdict, lower, upper, reach):
+def check_witness(reader, bodies, piece, verdict, reach):
     kind = "".join(reader.peek()[1:2])
-    need(kind in ("cross", "near") or (kind, verdict) == ("inside", "start"), "a witness that fits is expected here")
+    need(kind in ("cross", "near") or (kind, verdict.kind) == ("inside", "start"),
+         "a witness that fits is expected here")
     tau, *words = reader.take("witness " + kind, {"cross": 6, "near": 15, "inside": 6}[kind])
     if kind == "inside":
         count = winding_at_start(bodies, piece.place(0, *bodies), tau, *words)[0]   # the first word is no tau
         return need(count > 0, "the corner of the witness is not inside of the other body")
-    need(lower <= real(tau) <= upper, "TAU of the witness does not fit the verdict")
+    need(verdict.lower <= real(tau) <= verdict.upper, "TAU of the witness does not fit the verdict")
     unit, error, *_ = piece.place(real(tau), *bodies)
     if kind == "cross":
         body, other, p, q = find_edge(bodies, *words[:3])
@@ -651,46 +714,108 @@ def check_witness(reader, bodies, piece, verdict, lower, upper, reach):
 
 # --- certificate -----------------------------------------------------------------------------------------------------
 
-# Reads and checks a certificate and returns the lines that say what is proven.
-def check(reader, bodies):
-    reader.take("chasles certificate 1", 0)
-    for body in bodies:
-        words = [body.hash, str(len(body.faces))]
-        need(reader.take(body.name, 2) == words, f"the mesh file has the hash {words[0]} and {words[1]} faces")
+# Of the pieces up to end all is proven that is below or at lower in the last one. pair: the bodies of a scene.
+class Verdict:
+    def __init__(self, reader, count, bodies=0):
+        self.kind, *words = reader.take("verdict", max(1, len(reader.peek()) - 1))
+        self.text, self.pair, size = self.kind, None, 2 if bodies else 0
+        need((self.kind, len(words)) in (("clear", 0), ("contact", 3 + size), ("start", size)), "unknown verdict")
+        self.end, self.lower, self.upper = (0, 0, 0) if self.kind == "start" else (count - 1, 1, 1)
+        if self.kind == "contact":
+            self.end, self.lower, self.upper = integer(words[0], 0, count), real(words[1]), real(words[2])
+            need(0 <= self.lower <= self.upper <= 1, "0 <= LOWER <= UPPER <= 1 does not hold")
+            self.text += f" in piece {self.end}, not up to tau {float(self.lower)}, but up to tau {float(self.upper)}"
+        if words and bodies:
+            i = integer(words[-2], 0, bodies)
+            self.pair = i, integer(words[-1], i + 1, bodies)
+            self.text += ", bodies %d and %d" % self.pair
+
+
+# Reads and checks what proves that two bodies stay apart, and returns the number of steps.
+def check_apart(reader, bodies, motion, unit, reach, verdict):
+    steps, piece = 0, motion.piece(0, unit, bodies)
+    check_outside(reader, bodies, piece.place(0, *bodies))
+    for i in range(verdict.end + 1):
+        reader.take(f"proof {i}", 0)
+        piece = motion.piece(i, unit, bodies) if i else piece
+        steps += prove(reader, piece.plane_test(verdict.lower if i == verdict.end else 1), *bodies, reach)
+    return steps
+
+
+# Checks the lines after the first one of a certificate and returns those that say what is proven.
+def check_pair(reader, meshes):
+    need(len(meshes) == 2, "a certificate of a pair is for two meshes, MOVING and FIXED")
+    for mesh, name in zip(meshes, NAMES):
+        words = [mesh.hash, str(len(mesh.faces))]
+        need(reader.take(name, 2) == words, f"the mesh file has the hash {words[0]} and {words[1]} faces")
     solid = reader.take("solid", 1)[0]
     need(solid in NAMES + ("both", "none"), f"unknown word {solid!r:.50}")
-    for body in bodies: body.solid = solid in (body.name, "both") and body.is_closed()
+    bodies = [Body(f"the {name} body", mesh, solid in (name, "both")) for mesh, name in zip(meshes, NAMES)]
     lengths = [real(word) for word in reader.take("radius", 2) + reader.take("margin", 1)]
     need(min(lengths) >= 0, "a radius or the margin is below 0")
     kind = "".join(reader.peek()[1:2])
-    motion = Chain(reader) if kind == "chain" else Rigid(reader, "sweep" if kind == "sweep" else "screw")
-    verdict, *words = reader.take("verdict", max(1, len(reader.peek()) - 1))
-    need((verdict, len(words)) in (("clear", 0), ("contact", 3), ("start", 0)), "unknown verdict")
-    end, lower, upper = (0, 0, 0) if verdict == "start" else (motion.count - 1, 1, 1)   # the last piece that matters
-    if verdict == "contact":
-        end, lower, upper = integer(words[0], 0, motion.count), real(words[1]), real(words[2])
-        need(0 <= lower <= upper <= 1, "0 <= LOWER <= UPPER <= 1 does not hold")
+    if kind == "chain": motion = read_chain(reader, *(integer(word, 1) for word in reader.take("motion chain", 2)), {})
+    else: motion = Rigid(reader, "sweep" if kind == "sweep" else "screw")
+    verdict = Verdict(reader, motion.count)
 
-    # From here on all lengths are integers; those of chains are large ones, so that they may be rounded.
-    points = [x for body in bodies for p in body.points for x in p]
-    unit = max(x.as_integer_ratio()[1] for numbers in (lengths, motion.numbers, points) for x in numbers)
-    if kind == "chain": unit <<= max(0, BITS - integers([max(map(abs, points))], unit)[0].bit_length())
-    reach, steps = sum(integers(lengths, unit)), 0
-    for body in bodies: body.corners = [integers(p, unit) for p in body.points]
-    if verdict != "start":
-        for body in bodies:
-            body.order = list(map(integer, reader.take("order " + body.name, len(body.faces))))
-            need(sorted(body.order) == list(range(len(body.faces))), "the order is no permutation of the faces")
-        check_outside(reader, bodies, motion.piece(0, unit, bodies).place(0, *bodies))
-        for i in range(end + 1):
-            reader.take(f"proof {i}", 0)
-            steps += prove(reader, motion.piece(i, unit, bodies).plane_test(lower if i == end else 1), *bodies, reach)
-    if verdict != "clear":
-        check_witness(reader, bodies, motion.piece(end, unit, bodies), verdict, lower, upper, reach)
-    need(not reader.peek(), "nothing more is expected")
-    if verdict == "contact": verdict += f" in piece {end}, not up to tau {float(lower)}, but up to tau {float(upper)}"
-    return [f"verdict: {verdict}", "margin: " + shown(lengths[2:]), "radii: " + shown(lengths[:2]), *motion.texts,
+    # From here on all lengths are integers; those of chains are large ones.
+    unit, steps = fit(bodies, lengths + motion.numbers(), kind == "chain"), 0
+    reach = sum(integers(lengths, unit))
+    if verdict.kind != "start":
+        for body in bodies: body.read_order(reader, "order " + body.name)
+        steps = check_apart(reader, bodies, motion, unit, reach, verdict)
+    if verdict.kind != "clear":
+        check_witness(reader, bodies, motion.piece(verdict.end, unit, bodies), verdict, reach)
+    return [f"verdict: {verdict.text}", "margin: " + shown(lengths[2:]), "radii: " + shown(lengths[:2]), *motion.texts,
             f"solid: {solid}", f"pieces: {motion.count}", f"steps: {steps}"]
+
+
+def check_scene(reader, meshes):
+    size, count = (integer(word, least) for word, least in zip(reader.take("scene", 2), (2, 1)))
+    bodies, known, texts, claims, steps, found = [], {}, [], {}, 0, {mesh.hash: mesh for mesh in meshes}
+    need(len(found) == len(meshes), "two mesh files have the same faces")
+    while len(bodies) < size:
+        digest, faces, solid, radius, links = reader.take("body", 5)
+        need(mesh := found.get(digest), f"no mesh file has the hash {digest!r:.70}")
+        need(faces == str(len(mesh.faces)), f"the mesh file has {len(mesh.faces)} faces")
+        need(solid in ("solid", "surface"), f"unknown word {solid!r:.50}")
+        body = Body(f"body {len(bodies)}", mesh, solid == "solid")
+        body.radius = real(radius)
+        need(body.radius >= 0, "the radius is below 0")
+        body.chain = read_chain(reader, count, integer(links, 0), known, False)
+        body.finest = max(body.finest, finest([body.radius, *body.chain.numbers()]))
+        body.read_order(reader, "order")
+        texts += [f"body {len(bodies)}: {mesh.path} {solid}, radius {shown([body.radius])}", *body.chain.texts[1:]]
+        bodies.append(body)
+    for i, mesh in enumerate(meshes, 1): need(any(body.mesh is mesh for body in bodies), f"no body has mesh file {i}")
+    verdict = Verdict(reader, count, size)
+
+    # The two bodies, the motion of the first as seen from the second, the unit and the reach.
+    def pair(i, j, margin):
+        WHERE["pair"], two = f"{i} {j}", (bodies[i], bodies[j])
+        unit = fit(two, [margin], True)
+        return two, seen_from(*(body.chain for body in two)), unit, sum(
+            integers([margin, *(body.radius for body in two)], unit))
+
+    for i, j in [verdict.pair] if verdict.kind == "start" else itertools.combinations(range(size), 2):
+        if reader.peek()[:1] == ["untested"] and (i, j) != verdict.pair:
+            reader.take(f"untested {i} {j}", 0)
+            claims.setdefault("untested", []).append(f"{i}-{j}")
+            continue
+        margin = real(reader.take(f"pair {i} {j}", 1)[0])
+        need(margin >= 0, "the margin is below 0")
+        claims.setdefault(f"with the margin {shown([margin])}", []).append(f"{i}-{j}")
+        if (i, j) == verdict.pair: touching = i, j, margin
+        if verdict.kind != "start":
+            steps += check_apart(reader, *pair(i, j, margin), verdict)
+            del WHERE["pair"]
+    if verdict.kind != "clear":
+        two, motion, unit, reach = pair(*touching)
+        check_witness(reader, two, motion.piece(verdict.end, unit, two), verdict, reach)
+        del WHERE["pair"]
+    return [f"verdict: {verdict.text}", *texts,
+            *(f"pairs {claim}: {' '.join(pairs)}" for claim, pairs in claims.items()),
+            f"pieces: {count}", f"steps: {steps}"]
 
 
 def shown(numbers): return " ".join(str(float(x)) for x in numbers)
@@ -698,13 +823,20 @@ def shown(numbers): return " ".join(str(float(x)) for x in numbers)
 
 # The exit status, and what to print.
 def main(paths):
-    if len(paths) != 3 or not all(path.lower().endswith((".obj", ".stl")) for path in paths[:2]):
-        return 2, "usage: verify.py MOVING FIXED CERTIFICATE (MOVING and FIXED are .obj or .stl files)"
+    *meshes, certificate = paths or [""]
+    is_mesh = [path.lower().endswith((".obj", ".stl")) for path in paths]
+    if not meshes or not all(is_mesh[:-1]) or is_mesh == [True, True]:   # two meshes lack a certificate
+        return 2, "usage: verify.py MESH [MESH ...] CERTIFICATE (a pair: MOVING FIXED; meshes are .obj or .stl files)"
     try:
         WHERE.clear()
-        bodies = [Body(name, path) for name, path in zip(NAMES, paths)]
-        with open(paths[2], "rb") as file:
-            return 0, "\n".join(["verified", *check(Reader(file), bodies)])
+        names = [name + " mesh" for name in NAMES] if len(meshes) == 2 else map("mesh {}".format, itertools.count(1))
+        meshes = [Mesh(name, path) for name, path in zip(names, meshes)]
+        with open(certificate, "rb") as file:
+            reader = Reader(file)
+            reader.take("chasles certificate 1", 0)
+            lines = (check_scene if reader.peek()[:1] == ["scene"] else check_pair)(reader, meshes)
+            need(not reader.peek(), "nothing more is expected")
+            return 0, "\n".join(["verified", *lines])
     except OSError as error:
         return 2, f"cannot be read: {error}"
     except Exception as error:   # whatever is not proven is refused, even if it is too large for this program

@@ -7,14 +7,21 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace chasles {
 
+class JointPath;
+class RobotChecker;
+class Scene;
+struct SceneQuery;
+
 struct Certificate {
-    std::string text;       ///< docs/certificate.md
+    std::string text = {};  ///< docs/certificate.md
     std::size_t planes = 0; ///< steps that a checker has to test
     /// Empty if the text proves the answer. Otherwise what it does not prove, and why.
-    std::string missing;
+    std::string missing = {};
+    std::vector<Polyhedron> bodies = {}; ///< of a scene or robot: each different one once, as checkers need them
 };
 
 /// Proves the answer to a question: with `margin`, radii, and solid bodies, one or both of which move. Motions are
@@ -29,10 +36,25 @@ CHASLES_EXPORT Certificate certify(const FirstContactQuery& query);
 /// Likewise of a path whose motions are of one kind, each from where the last one ends. `progress` is not called.
 CHASLES_EXPORT Certificate certify(const PathQuery& query);
 
+/// The first contact of all tested pairs of a scene, whose bodies move by the motions above that have poses in the world
+/// and the same stamps. Throws InvalidInput for `hold` and `until` too.
+CHASLES_EXPORT Certificate certify(const Scene& scene, const SceneQuery& query);
+/// Likewise of a robot, its links and the bodies around it, along a path that is straight in joint space. Poses of links
+/// and axes are rounded to double: the certificate is about these. Bodies of the scene stand still, or the path has one
+/// segment. No handovers.
+CHASLES_EXPORT Certificate certify(const RobotChecker& checker, const JointPath& path);
+
+/// The shapes of the robot and of its scene.
+CHASLES_EXPORT std::vector<Polyhedron> bodies_of(const RobotChecker& checker);
+
 /// Whether the motions of a certificate are these ones, pose by pose. Throws InvalidInput as `certify` for others.
 CHASLES_EXPORT bool is_about(const std::string& text, std::span<const Motion> path);
 inline bool is_about(const std::string& text, const Motion& motion) {
     return is_about(text, std::span(&motion, 1));
 }
+
+/// Whether the bodies, motions, pairs and margins of a certificate are those of this question.
+CHASLES_EXPORT bool is_about(const std::string& text, const Scene& scene, const SceneQuery& query);
+CHASLES_EXPORT bool is_about(const std::string& text, const RobotChecker& checker, const JointPath& path);
 
 } // namespace chasles

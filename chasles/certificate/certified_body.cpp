@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <numeric>
+#include <set>
 
 namespace chasles::certificate {
 
@@ -41,11 +42,9 @@ void add(Sha256& hash, Number number) {
     hash.add(bytes);
 }
 
-} // namespace
-
 void check_body(const Polyhedron& body, const std::string& name) {
     const auto refuse = [&](const std::string& why) {
-        throw InvalidInput("certificate: the " + name + " body: " + why);
+        throw InvalidInput("certificate: " + name + ": " + why);
     };
     const MeshReport report = body.report();
     if (report.moved_inwards > 0)
@@ -55,7 +54,8 @@ void check_body(const Polyhedron& body, const std::string& name) {
             refuse("face " + std::to_string(body.source_face(face)) +
                    " was cut, or stands behind one without area that was left out; only meshes whose faces are all "
                    "kept are certified");
-    if (report.dropped_faces + report.segments > 0)
+    const bool is_round = report.segments == body.face_count(); // a point or a segment with a radius
+    if (report.dropped_faces > 0 || (report.segments > 0 && !is_round))
         refuse("it has faces without area, which are not certified");
     if (body.body().volume().is_solid() && !is_closed(body))
         refuse("some of its surface is closed, but not every edge is one of exactly two faces; with the option solid = "
@@ -73,6 +73,28 @@ std::string hash_of(const Polyhedron& body) {
                 add(hash, coordinate + 0.0); // -0 becomes 0
     }
     return hash.digest();
+}
+
+} // namespace
+
+CertifiedBody::CertifiedBody(const Polyhedron& body, const std::string& name) : shape(body), tree(shape) {
+    check_body(body, name);
+    hash = hash_of(body);
+}
+
+void CertifiedBodies::add(const Polyhedron& body, const std::string& name) {
+    const auto same = std::ranges::find_if(
+        bodies_, [&](const auto& known) { return &known->shape.body() == &body.body(); });
+    bodies_.push_back(same == bodies_.end() ? std::make_shared<const CertifiedBody>(body, name) : *same);
+}
+
+std::vector<Polyhedron> CertifiedBodies::different() const {
+    std::vector<Polyhedron> shapes;
+    std::set<std::string> hashes;
+    for (const auto& known : bodies_)
+        if (hashes.insert(known->hash).second)
+            shapes.push_back(known->shape);
+    return shapes;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> corners_of_parts(const Polyhedron& body) {

@@ -1,7 +1,9 @@
 #include "chasles/certificate/face_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <optional>
 
 namespace chasles::certificate {
 
@@ -23,6 +25,8 @@ struct Box {
                 upper[i] = std::max(upper[i], point[i]);
             }
     }
+    /// Around two boxes.
+    Box(const Box& first, const Box& second) : Box(std::array{first.lower, first.upper, second.lower, second.upper}) {}
     [[nodiscard]] int longest_side() const {
         const Corner sides = upper - lower;
         return sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
@@ -43,11 +47,20 @@ FaceTree::FaceTree(const Polyhedron& body) : body_(&body), order_(body.face_coun
     nodes_.push_back(Node{0, std::uint32_t(order_.size())});
     for (std::uint32_t index = 0; index < nodes_.size(); ++index)
         divide(index, middles);
+    std::vector<std::optional<Box>> boxes(nodes_.size());
+    for (std::size_t index = nodes_.size(); index-- > 0;) { // parts come after the whole
+        Node& node = nodes_[index];
+        boxes[index] = node.end - node.begin <= few_faces ? Box(add_corners(node))
+                                                          : Box(*boxes[node.parts], *boxes[node.parts + 1]);
+        const auto& [lower, upper] = *boxes[index];
+        node.centre = scale(lower + upper, 0.5);
+        node.half = scale(upper - lower, 0.5);
+        node.extent = length(upper - lower);
+    }
 }
 
 /// At the middle face along the longest side of the box of the middles.
 void FaceTree::divide(std::uint32_t index, std::span<const Corner> middles) {
-    add_corners(nodes_[index]);
     const std::uint32_t begin = nodes_[index].begin, end = nodes_[index].end;
     if (end - begin < 2)
         return;
@@ -65,28 +78,18 @@ void FaceTree::divide(std::uint32_t index, std::span<const Corner> middles) {
     nodes_.push_back(Node{half, end});
 }
 
-/// And the box around them.
-void FaceTree::add_corners(Node& node) {
+std::span<const Corner> FaceTree::add_corners(Node& node) {
     std::vector<std::uint32_t> ids;
     for (std::uint32_t i = node.begin; i < node.end; ++i)
         for (const std::uint32_t vertex : body_->face(order_[i]))
             ids.push_back(vertex);
-    std::vector<Corner> corners;
-    if (node.end - node.begin <= few_faces) {
-        std::ranges::sort(ids);
-        ids.erase(std::ranges::unique(ids).begin(), ids.end());
-    }
-    for (const std::uint32_t id : ids)
-        corners.push_back(corner_of(body_->vertices()[id]));
-    const Box box(corners);
-    node.centre = scale(box.lower + box.upper, 0.5);
-    node.half = scale(box.upper - box.lower, 0.5);
-    node.extent = length(box.upper - box.lower);
-    if (node.end - node.begin > few_faces)
-        return;
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
     node.first_corner = std::uint32_t(corners_.size());
-    node.corner_count = std::uint32_t(corners.size());
-    corners_.insert(corners_.end(), corners.begin(), corners.end());
+    node.corner_count = std::uint32_t(ids.size());
+    for (const std::uint32_t id : ids)
+        corners_.push_back(corner_of(body_->vertices()[id]));
+    return std::span(corners_).subspan(node.first_corner);
 }
 
 Corner FaceTree::corner(std::size_t face, std::size_t number) const {

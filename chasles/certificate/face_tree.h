@@ -58,7 +58,7 @@ public:
 
 private:
     void divide(std::uint32_t index, std::span<const Corner> middles);
-    void add_corners(Node& node);
+    std::span<const Corner> add_corners(Node& node);
     /// Nodes with so many faces have a list of their corners.
     static constexpr std::uint32_t few_faces = 8;
 

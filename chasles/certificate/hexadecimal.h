@@ -7,10 +7,10 @@
 
 namespace chasles::certificate {
 
-/// In C's hexadecimal form, without rounding.
+/// In C's hexadecimal form, without rounding; 0 for -0.
 inline std::string hexadecimal(double value) {
     std::array<char, 40> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%a", value));
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%a", value + 0.0));
     return text.data();
 }
 

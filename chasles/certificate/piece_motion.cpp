@@ -18,10 +18,6 @@ namespace {
 using motion::ChainLink;
 using Kind = motion::MotionDescription::Kind;
 
-[[noreturn]] void refuse(const std::string& why) {
-    throw InvalidInput("certificate: " + why);
-}
-
 std::string hexadecimals_of(const Pose& pose) {
     const Eigen::Vector3d& p = pose.translation;
     const Eigen::Quaterniond& q = pose.rotation;
@@ -58,23 +54,15 @@ std::string link_line(const ChainLink& link) {
     return "";
 }
 
-std::string knot_line(const std::vector<ChainLink>& links, std::size_t knot) {
-    std::string text = "knot";
-    for (const ChainLink& link : links)
-        if (!link.values.empty())
-            text += " " + hexadecimal(link.values[knot]);
-        else if (link.kind != ChainLink::Kind::pose)
-            text += hexadecimals_of(link.poses[knot]);
-    return text + "\n";
+/// The words of a link in the line of a knot.
+std::string words_at(const ChainLink& link, std::size_t knot) {
+    if (!link.values.empty())
+        return " " + hexadecimal(link.values[knot]);
+    return link.kind == ChainLink::Kind::pose ? "" : hexadecimals_of(link.poses[knot]);
 }
 
-std::string chain_lines(const std::vector<ChainLink>& links, std::size_t pieces) {
-    std::string text = " " + std::to_string(links.size()) + "\n";
-    for (const ChainLink& link : links)
-        text += link_line(link);
-    for (std::size_t knot = 0; knot <= pieces; ++knot)
-        text += knot_line(links, knot);
-    return text;
+std::size_t knot_count(const ChainLink& link) {
+    return link.kind == ChainLink::Kind::pose ? 0 : std::max(link.values.size(), link.poses.size());
 }
 
 using WideLink = EvenLink<DoubleDouble>;
@@ -155,9 +143,60 @@ CertifiedPiece rational_piece(const motion::RationalMotion<DoubleDouble>& cubic,
 
 } // namespace
 
+void refuse(const std::string& why) {
+    throw InvalidInput("certificate: " + why);
+}
+
+bool is_same(const ChainLink& a, const ChainLink& b) {
+    if (link_line(a) != link_line(b) || knot_count(a) != knot_count(b))
+        return false;
+    for (std::size_t knot = 0; knot < knot_count(a); ++knot)
+        if (words_at(a, knot) != words_at(b, knot))
+            return false;
+    return true;
+}
+
+bool is_at_rest(const motion::ChainLinks& chain) {
+    return std::ranges::all_of(chain.links(), [](const ChainLink& link) { return knot_count(link) == 0; });
+}
+
+std::string lines_of(const motion::ChainLinks& chain, std::size_t knots) {
+    std::string text;
+    for (const ChainLink& link : chain.links())
+        text += link_line(link);
+    for (std::size_t knot = 0; knot < knots; ++knot) {
+        text += "knot";
+        for (const ChainLink& link : chain.links())
+            text += words_at(link, knot);
+        text += "\n";
+    }
+    return text;
+}
+
+motion::ChainLinks chain_between(const motion::ChainLinks& moving, const motion::ChainLinks& fixed) {
+    const auto apart = std::ranges::mismatch(moving.links(), fixed.links(), is_same);
+    motion::ChainLinks chain;
+    const auto add = [&](ChainLink link) { static_cast<void>(chain.add(std::move(link), chain.times())); };
+    for (auto link = fixed.links().end(); link != apart.in2;) {
+        ChainLink back = *--link;
+        back.is_inverse = !back.is_inverse;
+        add(std::move(back));
+    }
+    for (auto link = apart.in1; link != moving.links().end(); ++link)
+        add(*link);
+    if (chain.links().empty())
+        chain.add(Pose(), false);
+    return chain;
+}
+
 CertifiedMotion::CertifiedMotion(std::span<const Motion> path) {
     for (const Motion& motion : path)
         add(motion);
+}
+
+CertifiedMotion::CertifiedMotion(motion::ChainLinks chain, std::size_t piece_count) : piece_count_(piece_count) {
+    whole_.kind = Kind::chain;
+    whole_.chain = std::move(chain);
 }
 
 void CertifiedMotion::add(const Motion& motion) {
@@ -167,7 +206,9 @@ void CertifiedMotion::add(const Motion& motion) {
                "twists, hinges and sliders that move evenly between the same times");
     const bool is_first = parts_.empty();
     const auto add_part = [&](const Motion& part, std::vector<double> times) {
-        parts_.push_back({part, parts_.empty() ? 0 : piece_count(), std::move(times)});
+        const std::size_t first = piece_count_;
+        piece_count_ += times.size() - 1;
+        parts_.push_back({part, first, std::move(times)});
     };
     if (next.kind == Kind::screw)
         for (const motion::MotionEnds& ends : next.pieces)
@@ -185,7 +226,8 @@ void CertifiedMotion::add(const Motion& motion) {
 std::string CertifiedMotion::lines() const {
     const std::string count = std::to_string(piece_count());
     if (whole_.kind == Kind::chain)
-        return "motion chain " + count + chain_lines(whole_.chain.links(), piece_count());
+        return "motion chain " + count + " " + std::to_string(whole_.chain.links().size()) + "\n" +
+               lines_of(whole_.chain, piece_count_ + 1);
     const bool with_both = std::ranges::any_of(
         whole_.pieces, [](const motion::MotionEnds& ends) { return ends.start_is_in_world || ends.goal_is_in_world; });
     std::string text = is_screw() ? "motion screw " + count + "\n"

@@ -14,6 +14,9 @@
 
 namespace chasles::certificate {
 
+/// Throws InvalidInput "certificate: WHY".
+[[noreturn]] void refuse(const std::string& why);
+
 /// One piece; all places are in the frame of the fixed body.
 template <class S>
 class PieceMotion {
@@ -49,9 +52,11 @@ class CertifiedMotion {
 public:
     /// Throws InvalidInput "certificate: WHY" for motions that are not certified.
     explicit CertifiedMotion(std::span<const Motion> path);
+    /// A chain of so many pieces.
+    CertifiedMotion(motion::ChainLinks chain, std::size_t piece_count);
 
     [[nodiscard]] std::string lines() const;
-    [[nodiscard]] std::size_t piece_count() const { return parts_.back().first_piece + parts_.back().times.size() - 1; }
+    [[nodiscard]] std::size_t piece_count() const { return piece_count_; }
     [[nodiscard]] CertifiedPiece piece(std::size_t index) const;
     [[nodiscard]] bool is_screw() const { return whole_.kind == motion::MotionDescription::Kind::screw; }
 
@@ -61,13 +66,26 @@ public:
         std::size_t first_piece;
         std::vector<double> times; ///< of the ends of its pieces
     };
-    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; } ///< none of a chain that was given
 
 private:
     void add(const Motion& motion);
 
     motion::MotionDescription whole_;
+    std::size_t piece_count_ = 0;
     std::vector<Part> parts_;
 };
+
+/// Whether two links are written in the same words.
+bool is_same(const motion::ChainLink& a, const motion::ChainLink& b);
+
+/// Whether a chain has no link that moves.
+bool is_at_rest(const motion::ChainLinks& chain);
+
+/// The lines `link` of a chain, and so many lines `knot`.
+std::string lines_of(const motion::ChainLinks& chain, std::size_t knots);
+
+/// The chain of a body as seen from another one. What carries both is left out.
+motion::ChainLinks chain_between(const motion::ChainLinks& moving, const motion::ChainLinks& fixed);
 
 } // namespace chasles::certificate

@@ -167,7 +167,7 @@ std::optional<IntegerNormal> PieceOfBodies::separate(const Node& a, const Node& 
         why.loss = why.overlap ? loss : std::min(why.loss, loss);
         why.overlap = false;
     }
-    return a.is_leaf() && b.is_leaf() ? by_features(a, b, cell) : std::nullopt;
+    return why.overlap && a.is_leaf() && b.is_leaf() ? by_features(a, b, cell) : std::nullopt;
 }
 
 namespace {

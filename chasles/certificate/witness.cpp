@@ -270,12 +270,14 @@ std::optional<int> crossings(std::span<const Corner> outline, const Corner& from
     return sum;
 }
 
-using Outlines = std::vector<std::vector<Corner>>;
-
-std::optional<int> winding_of(const Outlines& faces, const Corner& from, const Corner& direction, double size) {
+std::optional<int> winding_of(const FaceTree& tree, const Corner& from, const Corner& direction, double size) {
     int sum = 0;
-    for (const std::vector<Corner>& face : faces) {
-        const std::optional<int> count = crossings(face, from, direction, size);
+    std::vector<Corner> outline;
+    for (std::size_t face = 0; face < tree.body().face_count(); ++face) {
+        outline.clear();
+        for (std::size_t i = 0; i < tree.body().face(face).size(); ++i)
+            outline.push_back(tree.corner(face, i));
+        const std::optional<int> count = crossings(outline, from, direction, size);
         if (!count)
             return std::nullopt;
         sum += *count;
@@ -283,35 +285,33 @@ std::optional<int> winding_of(const Outlines& faces, const Corner& from, const C
     return sum;
 }
 
+/// A corner of the fixed body at tau = 0 as the moving body sees it.
+Corner seen_from_moving(const PieceMotion<DoubleDouble>& motion, const Corner& corner) {
+    const DoubleDouble start(0), one(1), zero(0);
+    const Wide arm = widened(corner) - motion.place({}, start);
+    const auto along = [&](const Wide& axis) { return dot(motion.turned(axis, start), arm).high(); };
+    return {along({one, zero, zero}), along({zero, one, zero}), along({zero, zero, one})};
+}
+
 } // namespace
 
 std::optional<Ray> ray_from(const PieceOfBodies& piece, bool from_moving, std::size_t face, std::size_t corner) {
-    const DoubleDouble start(0);
     const FaceTree &own = from_moving ? piece.moving() : piece.fixed(),
                    &other = from_moving ? piece.fixed() : piece.moving();
-    const auto place = [&](bool is_moving, const Corner& c) {
-        return is_moving ? motion::in_double(piece.motion().place(c, start)) : c;
-    };
-    Outlines faces;
-    for (std::size_t f = 0; f < other.body().face_count(); ++f) {
-        faces.emplace_back();
-        for (std::size_t c = 0; c < other.body().face(f).size(); ++c)
-            faces.back().push_back(place(!from_moving, other.corner(f, c)));
-    }
-    const Corner from = place(from_moving, own.corner(face, corner));
+    const Corner place = own.corner(face, corner);
+    const Corner from = from_moving ? motion::in_double(piece.motion().place(place, DoubleDouble(0)))
+                                    : seen_from_moving(piece.motion(), place);
     std::mt19937 random(1);
     constexpr int most = 1000;
     const auto component = [&] { return double(int(random() % (2 * most + 1)) - most); }; // the same with any library
     for (int attempt = 0; attempt < 100; ++attempt) {
-        const Corner integers{component(), component(), component()};
-        const Corner direction =
-            from_moving ? integers : motion::in_double(piece.motion().turned(widened(integers), start));
-        if (const std::optional<int> winding = winding_of(faces, from, direction, piece.size())) {
+        const Corner direction{component(), component(), component()};
+        if (const std::optional<int> winding = winding_of(other, from, direction, piece.size())) {
             std::string words = from_moving ? "moving" : "fixed";
             for (const std::size_t number : {face, corner})
                 words += " " + std::to_string(number);
             for (int i = 0; i < 3; ++i)
-                words += " " + std::to_string(int(integers[i]));
+                words += " " + std::to_string(int(direction[i]));
             return Ray{words, *winding};
         }
     }

@@ -311,7 +311,9 @@ public:
     /// What no answer of the checker looks at.
     [[nodiscard]] const UntestedPairs& untested() const;
 
-    struct Prepared; ///< for the library's own use
+    /// For the library's own use.
+    struct Prepared;
+    [[nodiscard]] const Prepared& prepared() const { return *prepared_; }
 
 private:
     std::shared_ptr<const Prepared> prepared_;

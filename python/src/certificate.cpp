@@ -1,13 +1,15 @@
-// FirstContact.certificate and chasles.verify.
-#include "chasles/certificate/certificate.h"
+// FirstContact.certificate and chasles.verify; those of scenes and robots.
+#include "python/src/certificate.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/certificate/certificate.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/signals.h"
 #include "python/src/without_gil.h"
 #include "tools/verify.h"
 
+#include <algorithm>
 #include <nanobind/stl/string.h>
 #include <sstream>
 
@@ -16,6 +18,12 @@ namespace chasles::python {
 namespace nb = nanobind;
 
 namespace {
+
+std::string text_of(const Certificate& certificate) {
+    if (!certificate.missing.empty())
+        throw InvalidInput("certificate: " + certificate.missing);
+    return certificate.text;
+}
 
 std::string certificate_along(const Answer& answer, std::vector<Motion> path) {
     if (answer.is_swapped)
@@ -27,10 +35,7 @@ std::string certificate_along(const Answer& answer, std::vector<Motion> path) {
     QueryOptions options;
     options.margin = answer.margin;
     options.hold = answer.hold;
-    const Certificate certificate = certify(PathQuery{moving, fixed, std::move(path), options});
-    if (!certificate.missing.empty())
-        throw InvalidInput("certificate: " + certificate.missing);
-    return certificate.text;
+    return text_of(certify(PathQuery{moving, fixed, std::move(path), options}));
 }
 
 /// A motion, or a list of those of a path.
@@ -57,6 +62,15 @@ std::vector<Motion> path_from(nb::handle motion) {
     return mesh;
 }
 
+/// What is proven about these bodies. Throws InvalidInput with the reason if nothing is.
+std::string proven(const std::vector<::certificate::Mesh>& meshes, const std::string& text) {
+    std::istringstream stream(text);
+    const ::certificate::Verified verified = ::certificate::verify(meshes, stream);
+    if (!verified.holds)
+        throw InvalidInput(verified.message);
+    return verified.message;
+}
+
 std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const std::string& text) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
@@ -64,14 +78,89 @@ std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const
     const WithoutGil without_gil;
     if (!is_about(text, path))
         throw InvalidInput("verify: the certificate is about another motion");
-    std::istringstream stream(text);
-    const ::certificate::Verified verified = ::certificate::verify(mesh_of(moving_body), mesh_of(fixed_body), stream);
-    if (!verified.holds)
-        throw InvalidInput(verified.message);
-    return verified.message;
+    return proven({mesh_of(moving_body), mesh_of(fixed_body)}, text);
 }
 
+/// Adds a mesh that is none of the others.
+void add_mesh(std::vector<::certificate::Mesh>& meshes, const Polyhedron& body) {
+    ::certificate::Mesh mesh = mesh_of(body);
+    if (std::ranges::find(meshes, mesh) == meshes.end())
+        meshes.push_back(std::move(mesh));
+}
+
+std::string certificate_of_scene(const PythonScene& scene, double margin) {
+    const Asking question = scene.asking();
+    SceneQuery query;
+    query.options.margin = margin;
+    return asked([&] { return text_of(certify(scene.scene, query)); });
+}
+
+std::string verify_scene(const PythonScene& scene, const std::string& text, double margin) {
+    const Asking question = scene.asking();
+    SceneQuery query;
+    query.options.margin = margin;
+    return asked([&] {
+        if (!is_about(text, scene.scene, query))
+            throw InvalidInput("verify: the certificate is about another scene or another margin");
+        std::vector<::certificate::Mesh> meshes;
+        for (const SceneBody& body : scene.scene.bodies())
+            add_mesh(meshes, body.shape);
+        return proven(meshes, text);
+    });
+}
+
+std::string certificate_of_robot(const RobotChecker& checker, nb::handle configurations) {
+    const JointPath path = path_from(checker.robot(), {configurations, nb::none(), nb::none(), nb::none()});
+    return asked([&] { return text_of(certify(checker, path)); });
+}
+
+std::string verify_robot(const RobotChecker& checker, nb::handle configurations, const std::string& text) {
+    const JointPath path = path_from(checker.robot(), {configurations, nb::none(), nb::none(), nb::none()});
+    return asked([&] {
+        if (!is_about(text, checker, path))
+            throw InvalidInput("verify: the certificate is about another robot, scene, path or margin");
+        std::vector<::certificate::Mesh> meshes;
+        for (const Polyhedron& body : bodies_of(checker))
+            add_mesh(meshes, body);
+        return proven(meshes, text);
+    });
+}
+
+#define CHASLES_VERIFY_DOC                                                                                             \
+    "\n\nReturns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it proves "   \
+    "less, is about another question, or is damaged: with the reason.\n\nSource: docs/certificate.md, \"Scenes\"."
+
 } // namespace
+
+void bind_certificates(nb::class_<PythonScene>& scene) {
+    using namespace nb::literals;
+    scene
+        .def("certificate", certificate_of_scene, nb::kw_only(), "margin"_a = 0.0,
+             nb::sig("def certificate(self, *, margin: float = 0.0) -> str"),
+             "A proof of what `first_contact` answers, with all tested pairs, as text that programs of others can check "
+             "(docs/certificate.md, \"Scenes\"). Motions are velocities, twists, even hinges and sliders, `TimedPoses` "
+             "with the same stamps, and products of these.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n    "
+             "For what cannot be certified, or is not proven: with the reason.")
+        .def("verify", verify_scene, "certificate"_a, nb::kw_only(), "margin"_a = 0.0,
+             nb::sig("def verify(self, certificate: str, *, margin: float = 0.0) -> str"),
+             "Does a certificate prove what it claims, and is it about this scene? In exact numbers, by the checker "
+             "that shares nothing with the search." CHASLES_VERIFY_DOC);
+}
+
+void bind_certificates(nb::class_<RobotChecker>& checker) {
+    using namespace nb::literals;
+    checker
+        .def("certificate", certificate_of_robot, "configurations"_a.none(),
+             nb::sig("def certificate(self, configurations: numpy.typing.ArrayLike | JointPath) -> str"),
+             "A proof of what `first_contact_on_path` answers for a path that is straight in joint space, with all "
+             "tested pairs, as text that programs of others can check (docs/certificate.md, \"Scenes\"). Poses of links "
+             "and axes are rounded to double. No handovers.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n    "
+             "For what cannot be certified, or is not proven: with the reason.")
+        .def("verify", verify_robot, "configurations"_a.none(), "certificate"_a,
+             nb::sig("def verify(self, configurations: numpy.typing.ArrayLike | JointPath, certificate: str) -> str"),
+             "Does a certificate prove what it claims, and is it about this robot, its scene and this path? In exact "
+             "numbers, by the checker that shares nothing with the search." CHASLES_VERIFY_DOC);
+}
 
 std::string certificate_of(const Answer& answer) {
     return certificate_along(answer, {plain(answer.motion)});

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "python/src/answer.h"
 #include "python/src/answer_members.h"
+#include "python/src/certificate.h"
 #include "python/src/docstrings.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
@@ -231,8 +232,9 @@ void bind_robot_answers(nb::module_& module) {
                     "accelerations, too.") +
         handovers_doc;
     bind_contact(module);
-    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr())
-        .def(
+    nb::class_<RobotChecker> type(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr());
+    bind_certificates(type);
+    type.def(
             "__init__",
             [](nb::pointer_and_handle<RobotChecker> checker, const PythonRobot& robot, nb::handle scene, double margin,
                std::optional<double> hold, double time_tolerance, nb::handle find) {

@@ -2,6 +2,7 @@
 #include "python/src/scene.h"
 
 #include "chasles/base/invalid_input.h"
+#include "python/src/certificate.h"
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/profile.h"
@@ -331,6 +332,7 @@ void bind_scene(nb::module_& module) {
     nb::class_<PythonScene> type(module, "Scene", doc("Scene"), collected<PythonScene>());
     bind_scene_state(type);
     bind_profile(type);
+    bind_certificates(type);
     bind_distance_matrix(module, type);
     type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),

@@ -70,6 +70,18 @@ QUESTIONS = {
             (file("--certificate"),),
         ),
         Question(
+            "scene-certificate",
+            ("scene", "scene.json", "--bodies", "bodies"),
+            ("scene.json", *BODIES, *PART, "fixture.urdf", "fixture.3mf"),
+            (file("--certificate"),),
+        ),
+        Question(
+            "robot-certificate",
+            ("robot", *ROBOT, *CELL),
+            (*ROBOT_FILES, *CELL_FILES),
+            (file("--certificate"),),
+        ),
+        Question(
             "batch",
             ("batch", *BODIES, "--motions", "motions.csv", "--motion", "velocity"),
             (*BODIES, "motions.csv"),

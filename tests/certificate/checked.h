@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/certificate/certificate.h"
+#include "chasles/mesh/primitives.h"
 #include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
 #include "tools/verify.h"
@@ -26,7 +27,16 @@ inline ::certificate::Mesh mesh_of(const Polyhedron& body) {
 
 inline ::certificate::Verified checked(const Polyhedron& moving, const Polyhedron& fixed, const std::string& text) {
     std::istringstream stream(text);
-    return ::certificate::verify(mesh_of(moving), mesh_of(fixed), stream);
+    return ::certificate::verify({mesh_of(moving), mesh_of(fixed)}, stream);
+}
+
+/// Of a scene or a robot.
+inline ::certificate::Verified checked(const Certificate& proof) {
+    std::vector<::certificate::Mesh> meshes;
+    for (const Polyhedron& body : proof.bodies)
+        meshes.push_back(mesh_of(body));
+    std::istringstream stream(proof.text);
+    return ::certificate::verify(meshes, stream);
 }
 
 inline std::string word_of(Verdict verdict) {
@@ -46,7 +56,7 @@ inline Certificate expect_verified(const FirstContactQuery& query, Verdict verdi
     return proof;
 }
 
-/// Octahedra and boxes of several sizes, some with a radius, some as surfaces.
+/// Octahedra and boxes of several sizes, some with a radius, some as surfaces; balls and capsules.
 class RandomBodies {
 public:
     [[nodiscard]] Polyhedron operator()(Random& random) {
@@ -54,6 +64,9 @@ public:
         PolyhedronOptions options;
         options.radius = radius;
         options.solid = random.chance(0.3) ? Solid::no : Solid::automatic;
+        if (random.chance(0.1))
+            return random.chance(0.5) ? make_sphere(random.uniform(0.1, 1))
+                                      : make_capsule(random.uniform(0.1, 0.5), random.uniform(0.1, 2));
         Body body = random.chance(0.5) ? random_octahedron(shapes_)
                                        : box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
         const double size = random.chance(0.3) ? 0.1 : random.chance(0.3) ? 3 : 1;

@@ -115,9 +115,11 @@ def random_chain(draw, most=1):
 
 def chain_piece(links, knots, corners, unit):
     """The checker's own piece, and bodies with the corners."""
-    text = f"motion chain 1 {len(links)}\n" + "".join(f"link {word} {hexes(row)}\n" for word, *row in links)
-    chain = verify.Chain(verify.Reader(io.BytesIO((text + "".join(f"knot {hexes(x)}\n" for x in knots)).encode())))
-    bodies = [type("Body", (), {"corners": [tuple(int(x * unit) for x in p) for p in corners]})() for _ in range(2)]
+    text = "".join(f"link {word} {hexes(row)}\n" for word, *row in links)
+    text += "".join(f"knot {hexes(x)}\n" for x in knots)
+    chain = verify.read_chain(verify.Reader(io.BytesIO(text.encode())), 1, len(links), {})
+    corners = [tuple(int(x * unit) for x in p) for p in corners]
+    bodies = [type("Body", (), {"corners": corners, "size": max(map(verify.total, corners))})() for _ in range(2)]
     return chain.piece(0, unit, bodies), bodies
 
 

@@ -312,3 +312,13 @@ def test_extreme_numbers(check):
                         (("sweep", (0, 0, 0)), [START, (0, 0, 1e-300, 1e300, 1e-300, 0, 0)])):
         text = certify(box(), far, knots, kind=kind, steps=PLANES)
         assert check(box(), far, text)[0] == 0
+
+
+def test_many_corners(check):
+    """Eight corners of a box may do for many, but what they miss is not refused."""
+    stairs = [face for i in range(3) for face in box((-i, i, 0), (1 - i, i + 1, 1))]
+    for ends, normal, status in (((0, 0.875), "-1 -1 0", 0), ((0, 1), "-1 -1 0", 1), ((-1, -0.25), "-1 0 0", 0),
+                                 ((-1, -0.25), "-1 -1 0", 0), ((0, 0.875), "-2 -1 0", 0), ((0, 0.875), "-1 -9 0", 1)):
+        text = certify(stairs, box((2, 2, 0), (3, 3, 1)), [ends[:1], ends[1:]], kind=("chain", [("slide", 1, 1, 0)]),
+                       steps=[["P " + normal]])
+        assert check(stairs, box((2, 2, 0), (3, 3, 1)), text)[0] == status
