@@ -39,12 +39,12 @@ namespace {
 namespace mp = boost::multiprecision;
 using std::abs, std::size_t, std::string, std::uint32_t, std::uint64_t, std::uint8_t, std::vector, std::to_string;
 using Word = std::string_view;
-using Integer = mp::number<mp::cpp_int_backend<576>, mp::et_off>;  // of any size; up to 256 bits without allocation
+using Integer = mp::number<mp::cpp_int_backend<576>, mp::et_off>;  // of any size; up to 576 bits without allocation
 template <class N> using Triple = std::array<N, 3>;
 using Vector = Triple<Integer>;
 
 constexpr size_t LONGEST_WORD = 1000, MOST_FACES = 1u << 30, MOST_PIECES = 1000000, MOST_LINKS = 1000;
-constexpr size_t MOST_BODIES = 10000;
+constexpr size_t MOST_BODIES = 10000, MOST_PREPARED = 8192;  // the latter: cells times links
 constexpr size_t LARGEST_FILE = size_t(1) << 34;
 constexpr int DEEPEST_CELL = 4000;  // halvings
 
@@ -764,12 +764,14 @@ struct Pair {
     int unit;                                // of lengths, as a power of two
     Integer reach;                           // D
     Row<Interval> place;                     // of the moving body for the outside lines and the witness
-    Cell prepared{0};                        // the last cell, and what follows in it
-    Cubic<Integer> cubic{};
-    Cubic<double> rounded_cubic{};
-    Integer h = 0;                           // this and the following: of a chain
-    vector<Stage<Integer>> stages{};
-    vector<Stage<double>> rounded_stages{};
+    struct Prepared {                        // what all planes of a cell need
+        Cubic<Integer> cubic{};
+        Cubic<double> rounded_cubic{};
+        Integer h = 0;                       // this and the following: of a chain
+        vector<Stage<Integer>> stages{};
+        vector<Stage<double>> rounded_stages{};
+    };
+    std::map<std::pair<int, Integer>, Prepared> prepared{};  // of some cells of a piece: other nodes come to them again
 
     Pair(Reader& reader, const Verdict& v, Body& body_i, Body& body_j, double margin)
         : in(reader), verdict(v), moving(body_i), fixed(body_j), links(seen_from(fixed.links, moving.links)),
@@ -914,7 +916,7 @@ struct Pair {
         struct Task { Node moving, fixed; size_t cell; };  // the cell is never behind that of a later task
         const Motion motion = motion_of(piece);
         vector<Cell> cells = {{end}};
-        prepared.depth = -1;
+        prepared.clear();
         vector<Task> tasks = {{{0, uint32_t(moving.faces()), 0}, {0, uint32_t(fixed.faces()), 0}, 0}};
         for (size_t step = 1; !tasks.empty(); ++step, ++steps) {
             const auto [a, b, number] = tasks.back();
@@ -957,21 +959,21 @@ struct Pair {
 
     bool separates(const Vector& n, const vector<uint32_t>& moving_points, const vector<uint32_t>& fixed_points,
                    const Cell& cell, const Motion& motion) {
-        if (prepared.depth != cell.depth || prepared.index != cell.index) prepare(cell, motion);
-        if (separates_clearly(n, moving_points, fixed_points)) return true;
+        const Prepared& at = prepare(cell, motion);
+        if (separates_clearly(n, moving_points, fixed_points, at)) return true;
         const Integer square = dot(n, n);
         Integer s = sqrt(square);
         if (s * s < square) ++s;
         const Plane<Integer> plane = {balls(n), s, farthest(n, fixed_points) + s * reach};
-        return chain ? chain_separates(stages, h, plane, moving_points)
-                     : cubic_separates(cubic, plane, moving_points);
+        return chain ? chain_separates(at.stages, at.h, plane, moving_points)
+                     : cubic_separates(at.cubic, plane, moving_points);
     }
 
     // In floating point. n . n is exact below 2^53, and so is s then: the test corrects the root. Else n . n errs by
     // 5 u, u = 2^-53, and the root by less than 8 u, which 1 + 2^-49 makes up for. d + s D errs by less than 8 u of the
     // sum of the absolute values of its terms (if that overflows, nothing is separated).
     bool separates_clearly(const Vector& normal, const vector<uint32_t>& moving_points,
-                           const vector<uint32_t>& fixed_points) const {
+                           const vector<uint32_t>& fixed_points, const Prepared& at) const {
         Corner n;
         for (size_t i = 0; i < 3; ++i) {
             if (abs(normal[i]) > (std::int64_t(1) << 50)) return false;
@@ -982,8 +984,8 @@ struct Pair {
         if (square >= 0x1p53 || s * s < square) s = (s + 1) * (1 + 0x1p-49);
         const double terms = dot({abs(n[0]), abs(n[1]), abs(n[2])}, fixed.largest) + s * distance;
         const Plane<double> plane = {balls(n), s, {farthest(n, fixed_points) + s * distance, up(terms * 0x1p-50)}};
-        return chain ? chain_separates(rounded_stages, up(truncated(h, -BITS)), plane, moving_points)
-                     : cubic_separates(rounded_cubic, plane, moving_points);
+        return chain ? chain_separates(at.rounded_stages, up(truncated(at.h, -BITS)), plane, moving_points)
+                     : cubic_separates(at.rounded_cubic, plane, moving_points);
     }
 
     template <class N>
@@ -1027,24 +1029,25 @@ struct Pair {
         return true;
     }
 
-    void prepare(const Cell& cell, const Motion& motion) {
-        prepared = cell;
-        if (!chain) {
-            cubic = bernstein(motion.cubic, cell), rounded_cubic = rounded(cubic, unit);
-            return;
-        }
+    const Prepared& prepare(const Cell& cell, const Motion& motion) {
+        if (prepared.size() * links.size() > MOST_PREPARED) prepared.clear();
+        const auto [known, is_new] = prepared.try_emplace({cell.depth, cell.index});
+        Prepared& at = known->second;
+        if (is_new && !chain) at.cubic = bernstein(motion.cubic, cell), at.rounded_cubic = rounded(at.cubic, unit);
+        if (!is_new || !chain) return at;
         const auto [mantissa, exponent] = dyadic(cell.end);
         const int power = exponent - cell.depth - 1;
-        h = fixed_point(mantissa, power).most();
-        stages = stages_of(motion.links, fixed_point(mantissa * (2 * cell.index + 1), power));
-        rounded_stages.assign(stages.size(), {});
-        for (size_t s = 0; s < stages.size(); ++s) {
-            rounded_stages[s].omega = up(truncated(stages[s].omega, -BITS));
+        at.h = fixed_point(mantissa, power).most();
+        at.stages = stages_of(motion.links, fixed_point(mantissa * (2 * cell.index + 1), power));
+        for (const Stage<Integer>& stage : at.stages) {
+            Stage<double>& r = at.rounded_stages.emplace_back();
+            r.omega = up(truncated(stage.omega, -BITS));
             for (size_t k = 0; k < 4; ++k) {  // the last one is a length
-                rounded_stages[s].place[k] = rounded(stages[s].place[k], k == 3 ? unit : -BITS);
-                rounded_stages[s].rate[k] = rounded(stages[s].rate[k], k == 3 ? unit : -BITS);
+                r.place[k] = rounded(stage.place[k], k == 3 ? unit : -BITS);
+                r.rate[k] = rounded(stage.rate[k], k == 3 ? unit : -BITS);
             }
         }
+        return at;
     }
 
     // ---- Witness -------------------------------------------------------------------------------------------------
