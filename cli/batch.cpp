@@ -4,6 +4,7 @@
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
+#include "cli/batch_certificates.h"
 #include "cli/batch_rows.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -49,6 +50,7 @@ struct BatchOptions {
     MotionOptions motion;
     std::string motions;
     std::string out;
+    std::string certificates; ///< folder; empty: none
     bool resume = false;
 };
 
@@ -156,7 +158,8 @@ public:
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
           rule_(rule_of(options.motion)), seconds_(seconds_of(options.query.seconds)),
           threads_(options.bodies.polyhedron.threads),
-          out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {
+          out_(options.out, options.resume ? Leftover::continued : Leftover::refused),
+          certificates_(options.certificates) {
         print_warnings(bodies_.warnings);
         mark_refused(rows, bodies_, rule_);
     }
@@ -173,7 +176,12 @@ public:
             const auto start = std::chrono::steady_clock::now();
             const std::size_t done = tally.rows();
             const Rows chunk = rows_.subspan(done, std::min(size.get(), rows_.size() - done));
-            out_.write(table_of(chunk, tally, [&](std::size_t n) { bar.show(done + n); }));
+            Tally next = tally;
+            const std::string table = table_of(chunk, next, [&](std::size_t n) { bar.show(done + n); });
+            if (!certify(chunk.first(next.rows() - done), done))
+                break; // a row that is written has its certificate
+            out_.write(table);
+            tally = next;
             size.adapt(std::chrono::steady_clock::now() - start);
         }
         if (tally.rows() == rows_.size())
@@ -181,15 +189,30 @@ public:
         return tally;
     }
     [[nodiscard]] std::string rows_name() const { return out_.rows_name(); }
+    [[nodiscard]] const BatchCertificates& certificates() const { return certificates_; }
 
 private:
+    /// `done` rows come before the first of these.
+    bool certify(Rows rows, std::size_t done) {
+        const std::vector<Motion> motions = readable_motions(rows, rule_);
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i].error.empty())
+                numbers.push_back(done + i + 1);
+        return certificates_.write(question(motions), numbers);
+    }
+    [[nodiscard]] BatchQuery question(std::span<const Motion> motions,
+                                      std::function<void(std::size_t)> progress = {}) const {
+        return {.moving = bodies_.moving,
+                .fixed = bodies_.fixed,
+                .motions = motions,
+                .options = query_,
+                .batch = {.threads = threads_, .progress = std::move(progress)}};
+    }
     /// The rows of one chunk.
     std::string table_of(Rows chunk, Tally& tally, std::function<void(std::size_t)> progress = {}) const {
-        const auto answers = first_contact_batch({.moving = bodies_.moving,
-                                                  .fixed = bodies_.fixed,
-                                                  .motions = readable_motions(chunk, rule_),
-                                                  .options = query_,
-                                                  .batch = {.threads = threads_, .progress = std::move(progress)}});
+        const std::vector<Motion> motions = readable_motions(chunk, rule_);
+        const auto answers = first_contact_batch(question(motions, std::move(progress)));
         return cli::table_of(chunk, answers, rule_.kind, tally);
     }
 
@@ -222,7 +245,8 @@ private:
     MotionRule rule_;
     double seconds_; ///< for all motions
     unsigned threads_;
-    OutputFile out_; // last: opened only after all other input has been read
+    OutputFile out_; // opened only after all other input has been read
+    BatchCertificates certificates_;
 };
 
 /// Interrupted, or out of time.
@@ -248,6 +272,8 @@ int run_batch(const BatchOptions& options) {
         print(fmt::format("{}: {} clear, {} in contact, {} in contact at the start, {}\n",
                           counted(tally.rows(), "motion"), tally.of(Verdict::clear), tally.of(Verdict::contact),
                           tally.of(Verdict::contact_at_start), counted(tally.errors, "error")));
+    if (const std::string missing = batch.certificates().missing(); !missing.empty())
+        std::fputs(("chasles: " + missing + "\n").c_str(), stderr);
     if (tally.errors > 0)
         throw InvalidInput(fmt::format("{}: {} of {} rows cannot be read; the first: {}", options.motions, tally.errors,
                                        rows.size(), tally.first_error));
@@ -266,6 +292,10 @@ void add_batch(CLI::App& app, Task& task) {
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
+    command
+        .add_option("--certificates", options->certificates,
+                    "write a proof of each row into this folder, as ROW.cert, for chasles verify")
+        ->type_name("FOLDER");
     command.add_flag("--resume", options->resume, "go on from the rows that a run that was cut has left in FILE.part");
     command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();

@@ -26,10 +26,6 @@ std::string obj_text(const Polyhedron& body) {
 }
 
 void write_bodies(const std::string& folder, const std::vector<Polyhedron>& bodies) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw InvalidInput(folder + ": " + error.message());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         OutputFile file((std::filesystem::path(folder) / fmt::format("body-{}.obj", i)).string());
         file.write(obj_text(bodies[i]));
@@ -72,8 +68,7 @@ bool write_certificate(const CertificateOptions& options, const std::function<Ce
         write_bodies(options.bodies, certificate.bodies);
     if (!certificate.missing.empty())
         std::fputs(("chasles: " + options.file + ": incomplete: " + certificate.missing + "\n").c_str(), stderr);
-    answer["certificate"] = {
-        {"file", options.file}, {"planes", certificate.planes}, {"missing", certificate.missing}};
+    answer["certificate"] = {{"file", options.file}, {"planes", certificate.planes}, {"missing", certificate.missing}};
     return true;
 }
 

@@ -228,7 +228,8 @@ int run_robot(const RobotCommand& options) {
     if (question.has_stamps)
         view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
     view::Json json = answer_json(question, found, others);
-    const bool is_in_time = write_certificate(options.certificate, [&] { return proof_of(checker, question); }, json);
+    const bool is_in_time = write_certificate(
+        options.certificate, [&] { return proof_of(checker, question); }, json);
     print(options.json ? with_motion(std::move(json), question) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)

@@ -209,8 +209,8 @@ int run_scene(const SceneOptions& options) {
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
     view::Json json = view::scene_answer_json(file.scene, answer, options.all);
-    const bool is_in_time =
-        write_certificate(options.certificate, [&] { return certify(file.scene, query); }, json);
+    const bool is_in_time = write_certificate(
+        options.certificate, [&] { return certify(file.scene, query); }, json);
     print(report_of(options, file, answer, query, json));
     print_warnings(file.warnings);
     page.write(file.scene, answer, query);

@@ -24,7 +24,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     ),
     "batches": (
         "Batches, tables and limits",
-        ["first_contact_batch", "least_distance_batch", "path_is_clear_batch", "BatchInterrupted", "empty_table",
+        ["first_contact_batch", "certificate_batch", "least_distance_batch", "path_is_clear_batch", "BatchInterrupted", "empty_table",
          "motion_dtype", "path_dtype", "least_dtype", "Limit", "Cancelled"],
     ),
     "least-distance": (

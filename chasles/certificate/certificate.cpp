@@ -7,6 +7,8 @@
 #include "chasles/certificate/piece_motion.h"
 #include "chasles/certificate/two_bodies.h"
 #include "chasles/mesh/body.h"
+#include "chasles/query/all_answers.h"
+#include "chasles/query/requirements.h"
 
 #include <algorithm>
 
@@ -27,14 +29,22 @@ std::string body_line(const CertifiedBody& body) {
     return " " + body.hash + " " + std::to_string(body.shape.face_count()) + "\n";
 }
 
-/// The question, and what is found by asking for the answer.
+/// The moving and the fixed one.
+CertifiedBodies bodies_of(const Polyhedron& moving, const Polyhedron& fixed) {
+    CertifiedBodies bodies;
+    bodies.add(moving, "the moving body");
+    bodies.add(fixed, "the fixed body");
+    return bodies;
+}
+
+/// The question, and what is found by asking for the answer. The bodies are kept by reference.
 class Certifier {
 public:
-    explicit Certifier(const PathQuery& query)
-        : moving_(query.moving), fixed_(query.fixed), options_(query.options), motion_(query.motions) {
+    Certifier(const CertifiedBodies& bodies, std::span<const Motion> path, const QueryOptions& options)
+        : bodies_(bodies), moving_(bodies[0].shape), fixed_(bodies[1].shape), options_(options), motion_(path) {
+        if (options.hold)
+            refuse("answers with `hold` are not certified");
         options_.find = Find::first;
-        bodies_.add(moving_, "the moving body");
-        bodies_.add(fixed_, "the fixed body");
     }
 
     Certificate run() const {
@@ -78,10 +88,10 @@ private:
         return text + motion_.lines() + "verdict " + words_of(claim) + "\n";
     }
 
-    Polyhedron moving_, fixed_;
+    const CertifiedBodies& bodies_;
+    const Polyhedron &moving_, &fixed_;
     QueryOptions options_;
     CertifiedMotion motion_;
-    CertifiedBodies bodies_;
 };
 
 } // namespace
@@ -94,10 +104,25 @@ Certificate certify(const FirstContactQuery& query) {
 
 Certificate certify(const PathQuery& query) {
     if (query.motions.empty())
-        throw InvalidInput("certificate: the path has no motion");
-    if (query.options.hold)
-        throw InvalidInput("certificate: answers with `hold` are not certified");
-    return certificate::Certifier(query).run();
+        certificate::refuse("the path has no motion");
+    const certificate::CertifiedBodies bodies = certificate::bodies_of(query.moving, query.fixed);
+    return certificate::Certifier(bodies, query.motions, query.options).run();
+}
+
+std::vector<Certificate> certify_batch(const BatchQuery& query) {
+    query::check_options(query.options);
+    const certificate::CertifiedBodies bodies = certificate::bodies_of(query.moving, query.fixed);
+    const Certificate none{.missing = "certificate: the limit was reached"};
+    const auto proof = [&](std::size_t i) {
+        try {
+            return certificate::Certifier(bodies, query.motions.subspan(i, 1), query.options).run();
+        } catch (const InvalidInput& error) {
+            return Certificate{.missing = error.what()};
+        } catch (const Cancelled&) {
+            return none;
+        }
+    };
+    return query::all_answers<Certificate>(query.motions.size(), query.batch, proof, none);
 }
 
 bool is_about(const std::string& text, std::span<const Motion> path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/base/export.h"
+#include "chasles/query/batch.h"
 #include "chasles/query/path.h"
 
 #include <cstddef>
@@ -36,12 +37,15 @@ CHASLES_EXPORT Certificate certify(const FirstContactQuery& query);
 /// Likewise of a path whose motions are of one kind, each from where the last one ends. `progress` is not called.
 CHASLES_EXPORT Certificate certify(const PathQuery& query);
 
-/// The first contact of all tested pairs of a scene, whose bodies move by the motions above that have poses in the world
-/// and the same stamps. Throws InvalidInput for `hold` and `until` too.
+/// One certificate a motion, in order; the same for any number of threads. Where there is none, `text` is empty and
+/// `missing` says why.
+CHASLES_EXPORT std::vector<Certificate> certify_batch(const BatchQuery& query);
+/// The first contact of all tested pairs of a scene, whose bodies move by the motions above that have poses in the
+/// world and the same stamps. Throws InvalidInput for `hold` and `until` too.
 CHASLES_EXPORT Certificate certify(const Scene& scene, const SceneQuery& query);
-/// Likewise of a robot, its links and the bodies around it, along a path that is straight in joint space. Poses of links
-/// and axes are rounded to double: the certificate is about these. Bodies of the scene stand still, or the path has one
-/// segment. No handovers.
+/// Likewise of a robot, its links and the bodies around it, along a path that is straight in joint space. Poses of
+/// links and axes are rounded to double: the certificate is about these. Bodies of the scene stand still, or the path
+/// has one segment. No handovers.
 CHASLES_EXPORT Certificate certify(const RobotChecker& checker, const JointPath& path);
 
 /// The shapes of the robot and of its scene.

@@ -43,9 +43,7 @@ void add(Sha256& hash, Number number) {
 }
 
 void check_body(const Polyhedron& body, const std::string& name) {
-    const auto refuse = [&](const std::string& why) {
-        throw InvalidInput("certificate: " + name + ": " + why);
-    };
+    const auto refuse = [&](const std::string& why) { throw InvalidInput("certificate: " + name + ": " + why); };
     const MeshReport report = body.report();
     if (report.moved_inwards > 0)
         refuse("its faces were moved inwards by a radius below 0, so it is not the body of a file");
@@ -83,8 +81,8 @@ CertifiedBody::CertifiedBody(const Polyhedron& body, const std::string& name) : 
 }
 
 void CertifiedBodies::add(const Polyhedron& body, const std::string& name) {
-    const auto same = std::ranges::find_if(
-        bodies_, [&](const auto& known) { return &known->shape.body() == &body.body(); });
+    const auto same =
+        std::ranges::find_if(bodies_, [&](const auto& known) { return &known->shape.body() == &body.body(); });
     bodies_.push_back(same == bodies_.end() ? std::make_shared<const CertifiedBody>(body, name) : *same);
 }
 

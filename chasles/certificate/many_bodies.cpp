@@ -36,7 +36,8 @@ std::string body_lines(const MovingBody& body, const std::string& hash, std::siz
 
 /// For a comment.
 std::string printable(std::string name) {
-    std::ranges::replace_if(name, [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::ranges::replace_if(
+        name, [](char c) { return c < ' ' || c > '~'; }, '?');
     return name;
 }
 

@@ -72,7 +72,7 @@ public:
 
     std::optional<std::string> run() {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting{{0, 0}};
-        while (!waiting.empty() && tries_ < most_tries) {
+        while (!waiting.empty() && tries_ < (best_ ? most_tries_for_a_better_one : most_tries)) {
             const auto [first, second] = waiting.back();
             waiting.pop_back();
             const FaceTree::Node &a = piece_.moving().node(first), &b = piece_.fixed().node(second);
@@ -93,8 +93,8 @@ public:
     }
 
 private:
-    /// So many pairs of faces that are near are looked at.
-    static constexpr std::size_t most_tries = 400;
+    /// So many pairs of faces that are near are looked at. Where faces lie on each other, only few of them cross.
+    static constexpr std::size_t most_tries = 100'000, most_tries_for_a_better_one = 400;
 
     [[nodiscard]] PlacedFace placed(bool of_moving, std::uint32_t face) const {
         const FaceTree& tree = of_moving ? piece_.moving() : piece_.fixed();

@@ -70,7 +70,7 @@ from ._core import (
     sphere,
     verify,
 )
-from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
+from .batch import BatchInterrupted, certificate_batch, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .collision import CollisionManager
 from .end_of_process import prepare as _prepare_end_of_process
 from .enums import ContactKind, Find, Verdict
@@ -132,6 +132,7 @@ __all__ = [
     "Work",
     "__version__",
     "capsule",
+    "certificate_batch",
     "constraint_rows",
     "edge_dtype",
     "empty_table",

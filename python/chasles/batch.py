@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._core import InvalidInput, Polyhedron
+from ._core import ConstantTwist, ConstantVelocity, InvalidInput, Polyhedron, ScrewMotion, SweepMotion
 from .arrays import array_of
 from .articles import with_article
 from .enums import Find
@@ -195,6 +195,68 @@ def path_is_clear_batch(
     answer_rows = partial(_core._path_is_clear_batch, moving, fixed, poses, offsets, table)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
     return _run(answer_rows, table, options, threads, errors, progress, "paths")
+
+
+def certificate_batch(
+    moving: Polyhedron,
+    fixed: Polyhedron,
+    starts: npt.ArrayLike | None = None,
+    goals: npt.ArrayLike | None = None,
+    *,
+    motions: Sequence[Any] | None = None,
+    margin: float = 0.0,
+    motion: MotionKind = "screw",
+    threads: int = 0,
+    errors: Errors = "raise",
+) -> list[str | None]:
+    """A proof of the first contact of many motions of one pair of bodies: what `FirstContact.certificate` gives for each.
+
+    Parameters
+    ----------
+    moving, fixed : Polyhedron
+    starts, goals : array (n, 4, 4) or (n, 7)
+        Poses of the moving body in the frame of the fixed body.
+    motions : list of motions, optional
+        Instead of starts and goals.
+    margin
+        As for `first_contact`.
+    motion, threads
+        As for `first_contact_batch`.
+    errors : "raise" or "mark"
+        How to treat a row that cannot be certified, or is not proven: "raise" raises InvalidInput with its index and the
+        reason, "mark" makes it None.
+
+    Returns
+    -------
+    list of n str
+        For a column of a table, for example.
+
+    Raises
+    ------
+    InvalidInput
+        For bodies that cannot be certified, too.
+    """
+    rows, (starts, goals, given) = _motions(starts, goals, motions, motion)
+    if given is None:
+        kinds = {"screw": ScrewMotion, "sweep": SweepMotion, "velocity": ConstantVelocity, "twist": ConstantTwist}
+        if motion not in kinds:
+            raise InvalidInput(f"motion: {motion!r} must be one of {', '.join(map(repr, kinds))}")
+        if len(goals) != rows:
+            raise InvalidInput(f"goals: {len(goals)} poses for {rows} starts")
+        given = [_named(i, partial(kinds[motion].between, *ends)) for i, ends in enumerate(zip(starts, goals, strict=True))]
+    marks, found = _marks(errors), []
+    for i, (text, missing) in enumerate(_core._certificate_batch(moving, fixed, given, margin, _thread_count(threads))):
+        if missing and not marks:
+            raise InvalidInput(f"motions[{i}]: {missing}")
+        found.append(None if missing else text)
+    return found
+
+
+def _named(row: int, make: Callable[[], Any]) -> Any:
+    try:
+        return make()
+    except InvalidInput as error:
+        raise InvalidInput(f"motions[{row}]: {error}") from None
 
 
 def _run(

@@ -10,7 +10,9 @@
 #include "tools/verify.h"
 
 #include <algorithm>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 #include <sstream>
 
 namespace chasles::python {
@@ -39,7 +41,7 @@ std::string certificate_along(const Answer& answer, std::vector<Motion> path) {
 }
 
 /// A motion, or a list of those of a path.
-std::vector<Motion> path_from(nb::handle motion) {
+std::vector<Motion> motions_from(nb::handle motion) {
     std::vector<Motion> path;
     if (!nb::isinstance<nb::list>(motion) && !nb::isinstance<nb::tuple>(motion))
         return {plain(given_motion(motion))};
@@ -74,11 +76,32 @@ std::string proven(const std::vector<::certificate::Mesh>& meshes, const std::st
 std::string verify(nb::handle moving, nb::handle fixed, nb::handle motion, const std::string& text) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
-    const std::vector<Motion> path = path_from(motion);
+    const std::vector<Motion> path = motions_from(motion);
     const WithoutGil without_gil;
     if (!is_about(text, path))
         throw InvalidInput("verify: the certificate is about another motion");
     return proven({mesh_of(moving_body), mesh_of(fixed_body)}, text);
+}
+
+/// The texts, and what each does not prove.
+std::vector<std::pair<std::string, std::string>> certificate_batch(nb::handle moving, nb::handle fixed,
+                                                                   nb::handle given, double margin, unsigned threads) {
+    const Polyhedron& moving_body = polyhedron_of(moving, "moving");
+    const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
+    std::vector<Motion> motions;
+    for (const nb::handle motion : given)
+        motions.push_back(plain(given_motion(motion)));
+    const std::vector<Certificate> proofs = asked([&] {
+        return certify_batch({.moving = moving_body,
+                              .fixed = fixed_body,
+                              .motions = motions,
+                              .options = {.margin = margin},
+                              .batch = {.threads = threads}});
+    });
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const Certificate& proof : proofs)
+        texts.emplace_back(proof.text, proof.missing);
+    return texts;
 }
 
 /// Adds a mesh that is none of the others.
@@ -127,7 +150,8 @@ std::string verify_robot(const RobotChecker& checker, nb::handle configurations,
 }
 
 #define CHASLES_VERIFY_DOC                                                                                             \
-    "\n\nReturns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it proves "   \
+    "\n\nReturns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it "    \
+    "proves "                                                                                                          \
     "less, is about another question, or is damaged: with the reason.\n\nSource: docs/certificate.md, \"Scenes\"."
 
 } // namespace
@@ -135,12 +159,14 @@ std::string verify_robot(const RobotChecker& checker, nb::handle configurations,
 void bind_certificates(nb::class_<PythonScene>& scene) {
     using namespace nb::literals;
     scene
-        .def("certificate", certificate_of_scene, nb::kw_only(), "margin"_a = 0.0,
-             nb::sig("def certificate(self, *, margin: float = 0.0) -> str"),
-             "A proof of what `first_contact` answers, with all tested pairs, as text that programs of others can check "
-             "(docs/certificate.md, \"Scenes\"). Motions are velocities, twists, even hinges and sliders, `TimedPoses` "
-             "with the same stamps, and products of these.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n    "
-             "For what cannot be certified, or is not proven: with the reason.")
+        .def(
+            "certificate", certificate_of_scene, nb::kw_only(), "margin"_a = 0.0,
+            nb::sig("def certificate(self, *, margin: float = 0.0) -> str"),
+            "A proof of what `first_contact` answers, with all tested pairs, as text that programs of others can check "
+            "(docs/certificate.md, \"Scenes\"). Motions are velocities, twists, even hinges and sliders, `TimedPoses` "
+            "with the same stamps, and products of these.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n   "
+            " "
+            "For what cannot be certified, or is not proven: with the reason.")
         .def("verify", verify_scene, "certificate"_a, nb::kw_only(), "margin"_a = 0.0,
              nb::sig("def verify(self, certificate: str, *, margin: float = 0.0) -> str"),
              "Does a certificate prove what it claims, and is it about this scene? In exact numbers, by the checker "
@@ -150,12 +176,14 @@ void bind_certificates(nb::class_<PythonScene>& scene) {
 void bind_certificates(nb::class_<RobotChecker>& checker) {
     using namespace nb::literals;
     checker
-        .def("certificate", certificate_of_robot, "configurations"_a.none(),
-             nb::sig("def certificate(self, configurations: numpy.typing.ArrayLike | JointPath) -> str"),
-             "A proof of what `first_contact_on_path` answers for a path that is straight in joint space, with all "
-             "tested pairs, as text that programs of others can check (docs/certificate.md, \"Scenes\"). Poses of links "
-             "and axes are rounded to double. No handovers.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n    "
-             "For what cannot be certified, or is not proven: with the reason.")
+        .def(
+            "certificate", certificate_of_robot, "configurations"_a.none(),
+            nb::sig("def certificate(self, configurations: numpy.typing.ArrayLike | JointPath) -> str"),
+            "A proof of what `first_contact_on_path` answers for a path that is straight in joint space, with all "
+            "tested pairs, as text that programs of others can check (docs/certificate.md, \"Scenes\"). Poses of links "
+            "and axes are rounded to double. No handovers.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n  "
+            "  "
+            "For what cannot be certified, or is not proven: with the reason.")
         .def("verify", verify_robot, "configurations"_a.none(), "certificate"_a,
              nb::sig("def verify(self, configurations: numpy.typing.ArrayLike | JointPath, certificate: str) -> str"),
              "Does a certificate prove what it claims, and is it about this robot, its scene and this path? In exact "
@@ -172,6 +200,8 @@ std::string certificate_of_path(const PathAnswer& answer) {
 
 void bind_certificate(nb::module_& module) {
     using namespace nb::literals;
+    module.def("_certificate_batch", certificate_batch, "moving"_a.none(), "fixed"_a.none(), "motions"_a, "margin"_a,
+               "threads"_a);
     module.def(
         "verify", verify, "moving"_a.none(), "fixed"_a.none(), "motion"_a.none(), "certificate"_a,
         "Does a certificate prove what it claims? In exact numbers, by the checker that shares nothing with the "

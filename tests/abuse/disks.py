@@ -90,10 +90,11 @@ def at_no_place(setting: Setting, question: Question, rng: random.Random, folder
     """A name that is no place for a file."""
     (folder / "folder").mkdir()
     (folder / "loop").symlink_to("loop")
+    make_folders(question, question.own_names(), folder)
     before = contents(folder)
     for place in ["/dev/full", "folder", "missing/out", "x" * 300, "loop", "moving.obj/out", ""]:
         option = rng.choice(question.outputs).option
-        if place == "folder" and option == "--save":
+        if place == "folder" and option in ("--save", "--bodies", "--certificates"):
             continue  # that is one
         names = {**question.own_names(), option: place}
         command = question.command(setting.program, "small", names)

@@ -85,11 +85,19 @@ def write_scenes(folder: Path) -> None:
         (folder / name).write_text(json.dumps({"bodies": bodies}, indent=1))
 
 
+def write_alike(folder: Path) -> None:
+    """Bodies of one shape: a scene, and a robot without joints."""
+    bodies = [body("low", "moving.obj", 0, 0, 0), body("high", "moving.obj", 0.2, 0.3, 3, goal=[0.2, 0.3, 1.5])]
+    (folder / "alike.json").write_text(json.dumps({"bodies": bodies}))
+    (folder / "post.urdf").write_text(f'<robot name="post"><link name="post">{shape("moving.obj")}</link></robot>')
+
+
 def write_tables(folder: Path, goals: int, motions: int) -> None:
     rows = [f"{i},0.2,{0.3 + 0.1 * (i % 5)},{3 - 0.2 * (i % 9)},1,0,0,0\n" for i in range(goals)]
     (folder / "goals.csv").write_text(f"t,{POSE}\n" + "".join(rows))
     rows = [f"row {i},0.2,0.3,{3 + i % 7},1,0,0,0,0.2,0.3,{-1 - i % 3},1,0,0,{0.1 * (i % 4)}\n" for i in range(motions)]
     (folder / "motions.csv").write_text(f"{MOTIONS_HEADER}\n" + "".join(rows))
+    (folder / "motion.csv").write_text(f"{MOTIONS_HEADER}\nclear,0.2,0.3,3,1,0,0,0,0.2,0.3,1.5,1,0,0,0\n")
     (folder / "poses.csv").write_text(f"{POSE}\n3,0,0,1,0,0,0\n3,3,0,1,0,0,0\n0.25,3,2,1,0,0,0\n")
 
 
@@ -97,6 +105,7 @@ def write_small(folder: Path) -> None:
     write_meshes(folder, meshes.cube(), meshes.cube())
     write_robot(folder, links=3, rows=3)
     write_scenes(folder)
+    write_alike(folder)
     write_tables(folder, goals=4, motions=4)
 
 
@@ -104,6 +113,7 @@ def write_large(folder: Path) -> None:
     write_meshes(folder, meshes.sheet(50), meshes.cube())
     write_robot(folder, links=12, rows=30)
     write_scenes(folder)
+    write_alike(folder)
     write_tables(folder, goals=2000, motions=400)
 
 
@@ -123,6 +133,7 @@ def sliding_arm() -> str:
 def write_slow(folder: Path) -> None:
     write_meshes(folder, meshes.sheet(300), meshes.cube())
     write_robot(folder, links=3, rows=3)
+    write_alike(folder)
     table = body("table", "moving.obj", 0, 0, 0)
     sliding = body("box", "moving.obj", 0, 0.1, 1e-9, goal=[0.4, 0.1, 1e-9, 0.92, 0, 0, 0.39])
     (folder / "scene.json").write_text(json.dumps({"bodies": [table, sliding]}))
@@ -134,6 +145,7 @@ def write_slow(folder: Path) -> None:
     slides = [f"{0.1 + 0.01 * (i % 40)},0.1,-0.1,1,0,0,{0.02 * (i % 40)}\n" for i in range(20000)]
     (folder / "goals.csv").write_text(f"{POSE}\n" + "".join(slides))
     (folder / "motions.csv").write_text(f"{MOTIONS_HEADER}\nquick,0,0,9,1,0,0,0,0,0,8,1,0,0,0\n" + f"slow,{SLOW_ROW}\n" * 40)
+    (folder / "motion.csv").write_text(f"{MOTIONS_HEADER}\nslow,{SLOW_ROW}\n")
     (folder / "poses.csv").write_text(f"{POSE}\n0,0.1,1e-9,1,0,0,0\n0.4,0.1,1e-9,0.92,0,0,0.39\n")
     (folder / "big.obj").write_bytes(meshes.obj(meshes.sheet(500)))
 

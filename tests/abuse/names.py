@@ -63,9 +63,14 @@ FORMS: dict[str, Callable[[Path, str], str]] = {
 STREAM = "standard-output"  # the shell appends standard output to the file, and the output is /dev/stdout
 
 
+def files_of(question: Question) -> list[str]:
+    """The options that name a file, not a folder."""
+    return [output.option for output in question.outputs if output.files == ("",)]
+
+
 def as_input(question: Question) -> list[tuple[str, str, str]]:
     """(option, input, form)"""
-    options = [output.option for output in question.outputs if output.files == ("",)]
+    options = files_of(question)
     return [(option, read, form) for option in options for read in question.reads for form in [*FORMS, STREAM]]
 
 
@@ -84,7 +89,7 @@ PAIR_FORMS: dict[str, Callable[[Path], tuple[str, str]]] = {
 
 def as_output(question: Question) -> list[tuple[str, str, str, bool]]:
     """(option, other option, form, whether the file exists)"""
-    options = [output.option for output in question.outputs]
+    options = files_of(question)
     pairs = [(a, b) for i, a in enumerate(options) for b in options[i + 1 :]]
     return [(*pair, form, is_there) for pair in pairs for form in PAIR_FORMS for is_there in (True, False)]
 

@@ -122,6 +122,7 @@ CALLS = {
         partial(chasles.first_contact_batch, cube(), cube()), {"starts": [START], "goals": [GOAL]}),
     "least_distance_batch": lambda: (
         partial(chasles.least_distance_batch, cube(), cube()), {"starts": [START], "goals": [GOAL]}),
+    "certificate_batch": lambda: (partial(chasles.certificate_batch, cube(), cube()), {"starts": [START], "goals": [GOAL]}),
     "path_is_clear_batch": lambda: (partial(chasles.path_is_clear_batch, cube(), cube()), {"paths": [[START, GOAL]]}),
     "first_contacts_on_edges": lambda: (partial(chasles.first_contacts_on_edges, checker()), EDGES),
     "CollisionManager.add_object": lambda: (partial(manager().add_object, "b", cube()), {"transform": np.eye(4)}),

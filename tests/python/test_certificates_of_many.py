@@ -38,7 +38,10 @@ def test_scenes_are_verified_by_both(tmp_path):
             files.append(str(tmp_path / f"{i}.obj"))
             pathlib.Path(files[-1]).write_text("\n".join(rows) + "\n")
             poses = [[*rng.uniform(-2.5, 2.5, 3), *rng.normal(size=4)] for _ in range(2)]
-            scene.add(f"body {i}", body, *poses[: 1 + rng.integers(0, 2)], motion=rng.choice(["velocity", "twist"]))
+            if i > 0:
+                scene.add(f"body {i}", body, *poses, motion=str(rng.choice(["velocity", "twist"])))
+            else:
+                scene.add("body at rest", body, poses[0])
         proof = scene.certificate(margin=0.0625)
         (tmp_path / "scene.cert").write_text(proof)
         status, answer = verify.main([*files, str(tmp_path / "scene.cert")])
@@ -61,7 +64,7 @@ def test_a_certificate_of_another_scene_or_margin_is_refused():
     with pytest.raises(chasles.InvalidInput, match="verify: the certificate is about another scene or another margin"):
         scene.verify(proof, margin=0.5)
     with pytest.raises(chasles.InvalidInput):
-        scene.verify(proof.replace("P ", "P 1", 1))
+        scene.verify(proof.rstrip().rsplit("\n", 1)[0])
     scene.ignore("a", "b")
     with pytest.raises(chasles.InvalidInput, match="another scene"):
         scene.verify(proof)
@@ -75,7 +78,7 @@ def test_paths_of_robots_are_verified():
     rng = np.random.default_rng(52)
     verdicts = set()
     for _ in range(20):
-        path = np.cumsum(rng.uniform(-0.6, 0.6, (3, 7)), axis=0)
+        path = np.vstack([np.zeros(7), np.cumsum(rng.uniform(-0.8, 0.8, (2, 7)), axis=0)])
         proof = checker.certificate(path)
         found = checker.first_contact_on_path(path)
         word = str(found.verdict).removeprefix("contact_at_")
