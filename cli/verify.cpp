@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -25,6 +26,9 @@ struct VerifyOptions {
 }
 
 int run_verify(const VerifyOptions& options) {
+    const std::string end = std::filesystem::path(options.files.back()).extension().string();
+    if (end == ".obj" || end == ".stl")
+        throw InvalidInput(options.files.back() + ": is a mesh; the certificate comes last");
     std::vector<::certificate::Mesh> meshes;
     for (std::size_t i = 0; i + 1 < options.files.size(); ++i)
         meshes.push_back(mesh_of(options.files[i]));

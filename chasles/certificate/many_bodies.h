@@ -23,8 +23,6 @@ struct ManyBodies {
     std::size_t piece_count = 1; ///< of the chains of all bodies that move
     /// For the bodies i < j: in the order of i, then of j. Empty for a pair that is not tested.
     std::vector<std::optional<double>> margins;
-
-    [[nodiscard]] std::size_t pair_count() const { return bodies.size() * (bodies.size() - 1) / 2; }
 };
 
 /// The first contact of all pairs.

@@ -78,9 +78,13 @@ public:
         : prepared_(prepared), model_(prepared.model()), path_(path) {
         if (prepared.options.hold)
             refuse("answers with `hold` are not certified");
+        if (prepared.options.find == Find::any)
+            refuse("answers of yes or no (Find::any) are not certified; ask for the first contact");
         many_.piece_count = path.segments().size();
         add_elements();
         add_scene();
+        if (many_.bodies.size() < 2)
+            refuse("the robot and its scene have fewer than two shapes");
         add_margins();
     }
     [[nodiscard]] const ManyBodies& many() const { return many_; }

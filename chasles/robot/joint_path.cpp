@@ -225,7 +225,7 @@ std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const
 
 Configuration value_at(const Segment& segment, double time) {
     Configuration value = Configuration::Zero(segment.coefficients.cols());
-    for (Eigen::Index k = segment.coefficients.rows(); k-- > 0;)
+    for (Eigen::Index k = segment.coefficients.rows(); k-- > 0 && value.size() > 0;) // a robot may have no joints
         value = value * time + segment.coefficients.row(k).transpose();
     return value;
 }

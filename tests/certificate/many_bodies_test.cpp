@@ -142,6 +142,61 @@ TEST(CertifiedScenes, RefuseWhatTheyDoNotProve) {
               std::string::npos);
 }
 
+/// A box on an arm that turns about z, and another arm on the first one.
+Robot two_arms() {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    RobotDescription robot{"arms"};
+    robot.links = {{"base"}, {"upper", {{cube, shifted(2, 0, 0)}}}, {"lower", {{cube, shifted(2, 0, 0)}}}};
+    robot.joints = {{"turn", JointType::continuous, "base", "upper"}, {"bend", JointType::revolute, "upper", "lower"}};
+    robot.joints[1].origin = shifted(3, 0, 1);
+    for (JointDescription& joint : robot.joints)
+        joint.axis = Vector3d::UnitZ();
+    robot.joints[1].lower = -3;
+    robot.joints[1].upper = 3;
+    return Robot(robot);
+}
+
+TEST(CertifiedRobots, GoOnWhereAContinuousJointWinds) {
+    const Robot robot = two_arms();
+    Scene scene;
+    scene.add({"post", box({0.1, 0.1, 2}).polyhedron(), Motion::at_rest(shifted(0, 9, 0))});
+    const RobotChecker checker(robot, &scene);
+    const std::vector<Configuration> knots{Eigen::Vector2d(2.5, 0), Eigen::Vector2d(-2.5, 0.5),
+                                           Eigen::Vector2d(-0.5, 1)};
+    const JointPath path = JointPath::straight(robot, knots);
+    const Certificate proof = certify(checker, path);
+    EXPECT_EQ(proof.missing, "");
+    EXPECT_TRUE(checked(proof).holds) << checked(proof).message;
+    EXPECT_TRUE(is_about(proof.text, checker, path));
+    EXPECT_FALSE(is_about(proof.text, checker, JointPath::straight(robot, std::span(knots).first(2))));
+}
+
+TEST(CertifiedRobots, RefuseWhatTheyDoNotProve) {
+    const Robot robot = two_arms();
+    const auto refusal = [&](const JointPath& path, const Motion& motion, const QueryOptions& options) {
+        Scene world;
+        world.add({"post", box({0.1, 0.1, 2}).polyhedron(), motion});
+        try {
+            static_cast<void>(certify(RobotChecker(robot, &world, {options}), path));
+        } catch (const InvalidInput& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::vector<Configuration> knots{Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0.5), Eigen::Vector2d(0, 1)};
+    const JointPath edge = JointPath::straight(robot, std::span(knots).first(2)),
+                    path = JointPath::straight(robot, knots);
+    const Motion rest = Motion::at_rest(shifted(0, 9, 0)), moves = Motion::twist(shifted(0, 9, 0), shifted(1, 9, 0));
+    EXPECT_EQ(refusal(path, rest, {}), "");
+    EXPECT_EQ(refusal(edge, moves, {}), "");
+    EXPECT_EQ(refusal(path, moves, {}), "certificate: post: moves, while the path or the motion has several segments");
+    EXPECT_EQ(refusal(path, rest, {.margin = 0.5, .hold = 0.25}), "certificate: answers with `hold` are not certified");
+    EXPECT_NE(refusal(path, rest, {.find = Find::any}).find("certificate: answers of yes or no"), std::string::npos);
+    const std::vector<double> times{0, 1};
+    const JointPath cubic = JointPath::cubic(robot, times, std::span(knots).first(2), std::span(knots).last(2));
+    EXPECT_EQ(refusal(cubic, rest, {}), "certificate: the path is not straight in joint space");
+}
+
 TEST(CertifiedRobots, AreVerified) {
     Random random(4750);
     std::map<Verdict, int> count;

@@ -87,3 +87,19 @@ def test_paths_of_robots_are_verified():
         with pytest.raises(chasles.InvalidInput, match="another robot, scene, path or margin"):
             checker.verify(path + 0.125, proof)
     assert {"clear", "contact"} <= verdicts
+
+
+def test_rows_of_a_batch_have_the_certificates_of_their_answers():
+    rng = np.random.default_rng(53)
+    _, cube = block([0.5, 0.5, 0.5])
+    starts = [[3, 0.2, 0.3, 1, 0, 0, 0]] * 4
+    goals = [[*rng.uniform(-3, 3, 3), *rng.normal(size=4)] for _ in starts]
+    for motion in ("screw", "velocity"):
+        proofs = chasles.certificate_batch(cube, cube, starts, goals, motion=motion, margin=0.125)
+        for start, goal, proof in zip(starts, goals, proofs, strict=True):
+            assert proof == chasles.first_contact(cube, cube, start, goal, motion=motion, margin=0.125).certificate()
+    half_turn = [3, 0.2, 0.3, 0, 0, 0, 1]
+    with pytest.raises(chasles.InvalidInput, match=r"motions\[1\]: "):
+        chasles.certificate_batch(cube, cube, starts[:2], [goals[0], half_turn], motion="twist")
+    marked = chasles.certificate_batch(cube, cube, starts[:2], [goals[0], half_turn], motion="twist", errors="mark")
+    assert marked[0].startswith("chasles certificate 1") and marked[1] is None
