@@ -1,7 +1,7 @@
 #include "cli/certificate_file.h"
 
+#include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
-#include "cli/output.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -35,40 +35,46 @@ void write_bodies(const std::string& folder, const std::vector<Polyhedron>& bodi
 
 } // namespace
 
-CLI::Option* add_certificate_option(CLI::App& command, CertificateOptions& options) {
-    return command.add_option("--certificate", options.file, "write a proof of the answer, for chasles verify")
-        ->type_name("FILE.cert");
-}
-
-void add_bodies_option(CLI::App& command, CertificateOptions& options, CLI::Option* certificate) {
+CLI::Option* add_certificate_options(CLI::App& command, CertificateOptions& options) {
+    auto* const certificate =
+        command.add_option("--certificate", options.file, "write a proof of the answer, for chasles verify")
+            ->type_name("FILE.cert");
     command
         .add_option("--bodies", options.bodies,
-                    "write the bodies of the certificate into this folder, each different one as an OBJ file, for "
-                    "chasles verify")
+                    "write the bodies of the certificate into this folder, as OBJ files, for chasles verify")
         ->needs(certificate)
         ->type_name("FOLDER");
+    return certificate;
 }
 
-bool write_certificate(const CertificateOptions& options, const std::function<Certificate()>& prove,
-                       view::Json& answer) {
+CertificateFile::CertificateFile(const CertificateOptions& options) : options_(options) {
     if (options.file.empty())
+        return;
+    std::error_code unreadable;
+    if (!options.bodies.empty() && !std::filesystem::is_directory(options.bodies, unreadable))
+        throw InvalidInput(options.bodies + ": is no folder");
+    file_.emplace(options.file);
+}
+
+bool CertificateFile::write(const std::function<Certificate()>& prove, view::Json& answer) {
+    if (!file_)
         return true;
-    OutputFile file(options.file);
+    const std::string& name = options_.file;
     Certificate certificate;
     try {
         certificate = prove();
     } catch (const Cancelled&) {
-        std::fputs(("chasles: " + options.file + ": not written: the time of --seconds was over\n").c_str(), stderr);
+        std::fputs(("chasles: " + name + ": not written: the time of --seconds was over\n").c_str(), stderr);
         answer["certificate"] = {{"file", nullptr}, {"missing", "the time of --seconds was over"}};
         return false;
     }
-    file.write(certificate.text);
-    file.close();
-    if (!options.bodies.empty())
-        write_bodies(options.bodies, certificate.bodies);
+    if (!options_.bodies.empty())
+        write_bodies(options_.bodies, certificate.bodies);
+    file_->write(certificate.text);
+    file_->close();
     if (!certificate.missing.empty())
-        std::fputs(("chasles: " + options.file + ": incomplete: " + certificate.missing + "\n").c_str(), stderr);
-    answer["certificate"] = {{"file", options.file}, {"planes", certificate.planes}, {"missing", certificate.missing}};
+        std::fputs(("chasles: " + name + ": incomplete: " + certificate.missing + "\n").c_str(), stderr);
+    answer["certificate"] = {{"file", name}, {"planes", certificate.planes}, {"missing", certificate.missing}};
     return true;
 }
 

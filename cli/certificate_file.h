@@ -2,10 +2,12 @@
 #pragma once
 
 #include "chasles/certificate/certificate.h"
+#include "cli/output.h"
 #include "view/answer_json.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace chasles::cli {
@@ -15,13 +17,21 @@ struct CertificateOptions {
     std::string bodies; ///< folder for the bodies; empty: none
 };
 
-CLI::Option* add_certificate_option(CLI::App& command, CertificateOptions& options);
-/// --bodies, for questions whose bodies need not be mesh files.
-void add_bodies_option(CLI::App& command, CertificateOptions& options, CLI::Option* certificate);
+/// --certificate and --bodies. Returns the first one.
+CLI::Option* add_certificate_options(CLI::App& command, CertificateOptions& options);
 
-/// Writes the proof, if one is asked for. What it does not prove goes to standard error, and into the JSON object.
-/// Returns whether it was made in time.
-bool write_certificate(const CertificateOptions& options, const std::function<Certificate()>& prove,
-                       view::Json& answer);
+/// The proof, if one is asked for. To be made after all reading and before the question is answered.
+class CertificateFile {
+public:
+    /// Throws InvalidInput for a file that cannot be written, and for a folder that is none.
+    explicit CertificateFile(const CertificateOptions& options);
+
+    /// What it does not prove goes to standard error, and into the JSON object. Returns whether it was made in time.
+    bool write(const std::function<Certificate()>& prove, view::Json& answer);
+
+private:
+    const CertificateOptions& options_;
+    std::optional<OutputFile> file_;
+};
 
 } // namespace chasles::cli

@@ -21,6 +21,7 @@ struct CheckOptions {
 
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
+    CertificateFile certificate(options.certificate);
     const Limit limit(question.seconds); // of the answer and its certificate
     const FirstContact found = first_contact(question);
     view::Json answer = view::answer_json(found, question.numbers);
@@ -28,7 +29,7 @@ int run_check(const CheckOptions& options) {
         return certify(
             FirstContactQuery{question.bodies.moving, question.bodies.fixed, question.motion, question.options});
     };
-    const bool is_in_time = write_certificate(options.certificate, prove, answer);
+    const bool is_in_time = certificate.write(prove, answer);
     add_warnings(answer, question.bodies.warnings);
     if (options.json)
         print(answer.dump() + "\n");
@@ -44,7 +45,7 @@ void add_check(CLI::App& app, Task& task) {
     CLI::App& command =
         *app.add_subcommand("check", "When do two bodies first touch during a motion between two poses?");
     add_one_motion_options(command, options->question);
-    add_certificate_option(command, options->certificate);
+    add_certificate_options(command, options->certificate);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });
 }

@@ -176,6 +176,7 @@ std::string path_report(const StampedContact& answer, const view::MotionNumbers&
 int run_path(const PathOptions& options) {
     const PathQuestion question = read_path_question(options);
     print_warnings(question.path.warnings);
+    CertificateFile certificate(options.certificate);
     const Limit limit(seconds_of(options.query.seconds));
     const StampedContact answer = question.is_one_motion() ? answer_track(question) : answer_segments(question);
     const PathContact& found = answer.found;
@@ -187,7 +188,7 @@ int run_path(const PathOptions& options) {
                                           .motions = motions_of(question),
                                           .options = question.options});
     };
-    const bool is_in_time = write_certificate(options.certificate, prove, json);
+    const bool is_in_time = certificate.write(prove, json);
     print(options.json ? json.dump() + "\n" : path_report(answer, motion, question));
     return is_in_time ? status_of(found.contact.verdict) : is_unknown;
 }
@@ -207,7 +208,7 @@ void add_path(CLI::App& app, Task& task) {
         ->type_name("FILE");
     add_motion_rule_options(command, options->motion);
     add_query_options(command, options->query);
-    add_certificate_option(command, options->certificate);
+    add_certificate_options(command, options->certificate);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_path(*options); }; });
 }

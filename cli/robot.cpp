@@ -219,6 +219,7 @@ int run_robot(const RobotCommand& options) {
         view::require_page_template();
         page.emplace(options.page);
     }
+    CertificateFile certificate(options.certificate);
     const RobotChecker checker = checker_of(options, question);
     const JointPath& path = question.path;
     const Limit limit(seconds_of(options.query.seconds));
@@ -228,8 +229,7 @@ int run_robot(const RobotCommand& options) {
     if (question.has_stamps)
         view::count_in_stamps(found.contact, view::duration_of(path, found.segment));
     view::Json json = answer_json(question, found, others);
-    const bool is_in_time = write_certificate(
-        options.certificate, [&] { return proof_of(checker, question); }, json);
+    const bool is_in_time = certificate.write([&] { return proof_of(checker, question); }, json);
     print(options.json ? with_motion(std::move(json), question) : robot_report(question, found, others));
     print_warnings(question.warnings);
     if (page && found.verdict != Verdict::unknown)
@@ -302,9 +302,7 @@ void add_robot(CLI::App& app, Task& task) {
             ->excludes(profile)
             ->type_name("FILE");
     add_curve_option(command, options->wants_curve)->needs(page);
-    auto* const certificate = add_certificate_option(command, options->certificate);
-    certificate->excludes(any)->excludes(clearance)->excludes(profile);
-    add_bodies_option(command, options->certificate, certificate);
+    add_certificate_options(command, options->certificate)->excludes(any)->excludes(clearance)->excludes(profile);
     command.callback([options, &task] {
         task = [options] {
             require_question_of(options->tolerance, options->finds_clearance || options->finds_profile);

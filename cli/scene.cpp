@@ -191,6 +191,7 @@ int run_scene(const SceneOptions& options) {
                                  options.json, options.profile.csv, options.profile.plot, options.page,
                                  title_of(options), options.wants_curve});
     PageFile page(options);
+    CertificateFile certificate(options.certificate);
     const Interruption interruption;
     const Limit limit(seconds_of(options.seconds), [] { return !Interruption::is_requested(); });
     std::optional<ProgressBar> bar;
@@ -209,8 +210,7 @@ int run_scene(const SceneOptions& options) {
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
     view::Json json = view::scene_answer_json(file.scene, answer, options.all);
-    const bool is_in_time = write_certificate(
-        options.certificate, [&] { return certify(file.scene, query); }, json);
+    const bool is_in_time = certificate.write([&] { return certify(file.scene, query); }, json);
     print(report_of(options, file, answer, query, json));
     print_warnings(file.warnings);
     page.write(file.scene, answer, query);
@@ -277,9 +277,12 @@ void add_scene(CLI::App& app, Task& task) {
     command
         .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
         ->excludes(any);
-    auto* const certificate = add_certificate_option(command, options->certificate);
-    certificate->excludes(all)->excludes(any)->excludes(clearance)->excludes(profile)->excludes(matrix);
-    add_bodies_option(command, options->certificate, certificate);
+    add_certificate_options(command, options->certificate)
+        ->excludes(all)
+        ->excludes(any)
+        ->excludes(clearance)
+        ->excludes(profile)
+        ->excludes(matrix);
     command.add_option("--threads", options->polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
     add_seconds_option(command, options->seconds);

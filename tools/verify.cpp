@@ -262,6 +262,7 @@ bool parse(Word word, Number& x, Base... base) {  // the whole word; no sign +
 struct Reader {
     std::istream& in;
     const bool joins;  // lines that end in a backslash
+    const bool is_strict = false;  // a certificate: only tabs and printable ASCII
     string text{};     // of this line
     size_t at = 0, line = 0;
 
@@ -271,6 +272,8 @@ struct Reader {
         for (string more;; text += more) {
             ++line;
             if (text.ends_with('\r')) text.pop_back();
+            if (is_strict && std::any_of(text.begin(), text.end(), [](char c) { return c != '\t' && (c < ' ' || c > '~'); }))
+                fail("a byte is neither a tab nor printable ASCII");
             if (!joins || !text.ends_with('\\')) break;
             text.back() = ' ';
             if (!std::getline(in, more)) break;
@@ -318,12 +321,16 @@ struct Reader {
     size_t number(size_t limit, size_t least = 0) {  // below the limit
         size_t n;
         const Word digits = word();
-        if (!parse(digits, n)) fail("not a number: " + quote(digits));
+        if (!parse(digits, n) || has_leading_zeros(digits)) fail("not a number: " + quote(digits));
         if (n < least || n >= limit) fail("the number " + quote(digits) + " is out of range");
         return n;
     }
+    static bool has_leading_zeros(Word word) {
+        return word != "0" && word.find_first_not_of('-') == word.find('0');
+    }
     Integer integer(Word word) {
         std::int64_t small;
+        if (has_leading_zeros(word)) fail("not an integer: " + quote(word));
         if (parse(word, small)) return small;
         const bool negative = word.starts_with('-');
         if (word.size() == size_t(negative) || word.find_first_not_of("0123456789", negative) != Word::npos)
@@ -342,7 +349,7 @@ struct Reader {
         int exponent;
         if (!digits.starts_with("0x") || digits.find_first_of("ABCDEF") != string::npos ||
             !parse(Word(digits).substr(2), mantissa, 16) || !parse(rest.substr(p + 1 + plus), exponent) ||
-            std::abs(long(exponent)) > 99999)
+            std::abs(long(exponent)) > 99999 || rest.size() - p - 1 - (rest.find_first_of("+-", p) == p + 1) > 5 || std::min(point, p) > 34 || p - point > 33)
             fail("not a hexadecimal number: " + quote(all));
         exponent -= point < p ? 4 * int(p - point - 1) : 0;
         const double x = std::ldexp(double(mantissa), exponent);
@@ -1349,6 +1356,7 @@ string lower_case(string text) {
 // a, a/b, a//c or a/b/c; a negative number counts back from the last corner so far. Returns a, from 0.
 size_t obj_index(Word word, size_t count) {
     long long a = 0, ignored;
+    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
     const size_t slash = std::min(word.find('/'), word.size());
     bool good = parse(word.substr(0, slash), a) && a != 0 && a >= -static_cast<long long>(count);
     if (slash < word.size()) {
@@ -1398,7 +1406,6 @@ Mesh read_text_stl(Reader& in) {
         if (word == "vertex") mesh.back().push_back(in.decimal_corner()), in.end_of_line();
         next = (next + 1) % 7;
     }
-    if (within) fail("the file ends within a solid");
     return mesh;
 }
 
@@ -1427,6 +1434,8 @@ Mesh read_mesh(const string& path) {
     string data(bytes, '\0');
     if (!std::ifstream(path, std::ios::binary).read(data.data(), bytes)) fail(path + ": cannot be read");
     const bool binary = type == ".stl" && bytes >= 84 && bytes == 84 + 50 * uint64_t(little_endian(data, 80));
+    if (!binary && data.starts_with("\xEF\xBB\xBF")) data.erase(0, 3);  // a mark of the byte order
+    if (!binary && data.find('\n') == string::npos) std::replace(data.begin(), data.end(), '\r', '\n');
     std::istringstream stream(std::move(data));
     Reader reader{stream, type == ".obj"};
     try {
@@ -1439,7 +1448,7 @@ Mesh read_mesh(const string& path) {
 }
 
 Verified verify(const vector<Mesh>& meshes, std::istream& certificate) {
-    Reader reader{certificate, false};
+    Reader reader{certificate, false, true};
     try {
         return {true, Checker{reader}.check(meshes)};
     } catch (const std::exception& reason) {  // std::bad_alloc too

@@ -14,11 +14,11 @@ LINKS = {"pose": (7, 0), "slide": (3, 1), "turn": (3, 1), "velocity": (3, 7), "t
 ZERO, AXES = (0, 0, 0), ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 NAMES = ("moving", "fixed")
 WHERE = {}           # what is being read: the file, the line, the step of a proof
-INTEGER = re.compile(r"-?[0-9]{1,1000}")
+INTEGER = re.compile(r"0|-?[1-9][0-9]{0,999}")
 REAL = re.compile(r"(-?)0x([0-9a-f]{1,32})(?:\.([0-9a-f]{1,32}))?p([+-]?[0-9]{1,5})")
 LINE = re.compile(rb"[\t\x20-\x7e]*\r?\n?")
 DECIMAL = re.compile(rb"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
-OBJ_CORNER = re.compile(rb"(-?[0-9]{1,10})(/-?[0-9]+|//-?[0-9]+|/-?[0-9]+/-?[0-9]+)?")
+OBJ_CORNER = re.compile(rb"([+-]?[0-9]{1,10})(/-?[0-9]+|//-?[0-9]+|/-?[0-9]+/-?[0-9]+)?")
 
 
 class Refused(Exception): pass
@@ -180,8 +180,10 @@ class Reader:
 
 # --- bodies ----------------------------------------------------------------------------------------------------------
 
-# The words of each line of a mesh file that has any.
+# The words of each line of a mesh file that has any; a mark of the byte order is none.
 def rows(data):
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    if b"\n" not in data: data = data.replace(b"\r", b"\n")
     for WHERE["line"], line in enumerate(io.BytesIO(data), 1):
         if words := line.partition(b"#")[0].split(): yield words
 

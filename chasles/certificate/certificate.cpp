@@ -31,9 +31,11 @@ std::string body_line(const CertifiedBody& body) {
 
 /// The moving and the fixed one.
 CertifiedBodies bodies_of(const Polyhedron& moving, const Polyhedron& fixed) {
+    check_body(moving, "the moving body");
+    check_body(fixed, "the fixed body");
     CertifiedBodies bodies;
-    bodies.add(moving, "the moving body");
-    bodies.add(fixed, "the fixed body");
+    bodies.add(moving);
+    bodies.add(fixed);
     return bodies;
 }
 
@@ -51,7 +53,7 @@ public:
         const Claim claim = answer();
         const FaceTree &own = bodies_[0].tree, &other = bodies_[1].tree;
         const TwoBodies bodies(own, other, motion_, options_.margin);
-        Certificate result{head(claim)};
+        Certificate result{.text = head(claim), .bodies = {moving_, fixed_}};
         if (claim.verdict != Verdict::contact_at_start) {
             result.text += order_line("moving", own) + order_line("fixed", other);
             bodies.add_proof(claim, result);

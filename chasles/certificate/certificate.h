@@ -22,7 +22,7 @@ struct Certificate {
     std::size_t planes = 0; ///< steps that a checker has to test
     /// Empty if the text proves the answer. Otherwise what it does not prove, and why.
     std::string missing = {};
-    std::vector<Polyhedron> bodies = {}; ///< of a scene or robot: each different one once, as checkers need them
+    std::vector<Polyhedron> bodies = {}; ///< as checkers need them: of a scene or robot each different one once
 };
 
 /// Proves the answer to a question: with `margin`, radii, and solid bodies, one or both of which move. Motions are

@@ -42,6 +42,20 @@ void add(Sha256& hash, Number number) {
     hash.add(bytes);
 }
 
+std::string hash_of(const Polyhedron& body) {
+    Sha256 hash;
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        const auto outline = body.face(face);
+        add(hash, std::uint32_t(outline.size()));
+        for (const std::uint32_t vertex : outline)
+            for (const double coordinate : body.vertices()[vertex])
+                add(hash, coordinate + 0.0); // -0 becomes 0
+    }
+    return hash.digest();
+}
+
+} // namespace
+
 void check_body(const Polyhedron& body, const std::string& name) {
     const auto refuse = [&](const std::string& why) { throw InvalidInput("certificate: " + name + ": " + why); };
     const MeshReport report = body.report();
@@ -61,29 +75,12 @@ void check_body(const Polyhedron& body, const std::string& name) {
                "its surface can be certified");
 }
 
-std::string hash_of(const Polyhedron& body) {
-    Sha256 hash;
-    for (std::size_t face = 0; face < body.face_count(); ++face) {
-        const auto outline = body.face(face);
-        add(hash, std::uint32_t(outline.size()));
-        for (const std::uint32_t vertex : outline)
-            for (const double coordinate : body.vertices()[vertex])
-                add(hash, coordinate + 0.0); // -0 becomes 0
-    }
-    return hash.digest();
-}
+CertifiedBody::CertifiedBody(const Polyhedron& body) : shape(body), tree(shape), hash(hash_of(body)) {}
 
-} // namespace
-
-CertifiedBody::CertifiedBody(const Polyhedron& body, const std::string& name) : shape(body), tree(shape) {
-    check_body(body, name);
-    hash = hash_of(body);
-}
-
-void CertifiedBodies::add(const Polyhedron& body, const std::string& name) {
+void CertifiedBodies::add(const Polyhedron& body) {
     const auto same =
         std::ranges::find_if(bodies_, [&](const auto& known) { return &known->shape.body() == &body.body(); });
-    bodies_.push_back(same == bodies_.end() ? std::make_shared<const CertifiedBody>(body, name) : *same);
+    bodies_.push_back(same == bodies_.end() ? std::make_shared<const CertifiedBody>(body) : *same);
 }
 
 std::vector<Polyhedron> CertifiedBodies::different() const {

@@ -12,9 +12,11 @@
 
 namespace chasles::certificate {
 
+/// Throws InvalidInput "certificate: NAME: WHY" for a body whose faces are not those of its file.
+void check_body(const Polyhedron& body, const std::string& name);
+
 struct CertifiedBody {
-    /// Throws InvalidInput "certificate: NAME: WHY" for a body whose faces are not those of its file.
-    CertifiedBody(const Polyhedron& body, const std::string& name);
+    explicit CertifiedBody(const Polyhedron& body);
     CertifiedBody(const CertifiedBody&) = delete;
     CertifiedBody& operator=(const CertifiedBody&) = delete;
 
@@ -26,8 +28,7 @@ struct CertifiedBody {
 /// Bodies that may share their shapes.
 class CertifiedBodies {
 public:
-    /// Throws as CertifiedBody.
-    void add(const Polyhedron& body, const std::string& name);
+    void add(const Polyhedron& body);
     const CertifiedBody& operator[](std::size_t index) const { return *bodies_[index]; }
     /// Those of different content.
     [[nodiscard]] std::vector<Polyhedron> different() const;

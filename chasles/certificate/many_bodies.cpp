@@ -6,6 +6,7 @@
 #include "chasles/mesh/body.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace chasles::certificate {
@@ -26,9 +27,9 @@ std::string pair_line(std::size_t i, std::size_t j, const std::optional<double>&
     return margin ? "pair " + words + " " + hexadecimal(*margin) + "\n" : "untested " + words + "\n";
 }
 
-std::string body_lines(const MovingBody& body, const std::string& hash, std::size_t piece_count) {
+std::string body_lines(const MovingBody& body, const std::string& hash, std::size_t piece_count, bool is_tested) {
     const auto& links = body.chain.links();
-    const bool is_solid = body.shape.body().volume().is_solid();
+    const bool is_solid = is_tested && body.shape.body().volume().is_solid();
     return "body " + hash + " " + std::to_string(body.shape.face_count()) + (is_solid ? " solid " : " surface ") +
            hexadecimal(body.shape.radius()) + " " + std::to_string(links.size()) + "\n" +
            lines_of(body.chain, is_at_rest(body.chain) ? 0 : piece_count + 1);
@@ -41,10 +42,25 @@ std::string printable(std::string name) {
     return name;
 }
 
-CertifiedBodies shapes_of(const ManyBodies& question) {
+/// Of bodies without a tested pair nothing is asked: they stand in a certificate as surfaces.
+std::vector<bool> tested_bodies(const ManyBodies& question) {
+    std::vector<bool> are_tested(question.bodies.size());
+    for_each_pair(question, [&](std::size_t i, std::size_t j, const std::optional<double>& margin) {
+        if (margin)
+            are_tested[i] = are_tested[j] = true;
+    });
+    return are_tested;
+}
+
+CertifiedBodies shapes_of(const ManyBodies& question, const std::vector<bool>& are_tested) {
     CertifiedBodies shapes;
-    for (const MovingBody& body : question.bodies)
-        shapes.add(body.shape, body.name);
+    std::set<const Body*> checked;
+    for (std::size_t i = 0; i < question.bodies.size(); ++i) {
+        const auto& [name, shape, chain] = question.bodies[i];
+        if (are_tested[i] && checked.insert(&shape.body()).second)
+            check_body(shape, name);
+        shapes.add(shape);
+    }
     return shapes;
 }
 
@@ -56,11 +72,12 @@ std::string scene_line(const ManyBodies& question) {
 
 Certificate certify(const ManyBodies& question, const ManyClaim& answer) {
     const auto& [claim, first, second] = answer;
-    const CertifiedBodies shapes = shapes_of(question);
+    const std::vector<bool> are_tested = tested_bodies(question);
+    const CertifiedBodies shapes = shapes_of(question, are_tested);
     Certificate result{.text = "chasles certificate 1\n" + scene_line(question), .bodies = shapes.different()};
     for (std::size_t i = 0; i < question.bodies.size(); ++i)
         result.text += "# body " + std::to_string(i) + ": " + printable(question.bodies[i].name) + "\n" +
-                       body_lines(question.bodies[i], shapes[i].hash, question.piece_count) +
+                       body_lines(question.bodies[i], shapes[i].hash, question.piece_count, are_tested[i]) +
                        order_line("", shapes[i].tree);
     result.text += "verdict " + words_of(claim);
     if (claim.verdict != Verdict::clear)
@@ -102,9 +119,10 @@ bool is_about(const std::string& text, const ManyBodies& question) {
             if (line.starts_with(word))
                 given += line + "\n";
     std::string bodies = scene_line(question), pairs;
-    const CertifiedBodies shapes = shapes_of(question);
+    const std::vector<bool> are_tested = tested_bodies(question);
+    const CertifiedBodies shapes = shapes_of(question, are_tested);
     for (std::size_t i = 0; i < question.bodies.size(); ++i)
-        bodies += body_lines(question.bodies[i], shapes[i].hash, question.piece_count);
+        bodies += body_lines(question.bodies[i], shapes[i].hash, question.piece_count, are_tested[i]);
     for_each_pair(question, [&](std::size_t i, std::size_t j, const std::optional<double>& margin) {
         pairs += pair_line(i, j, margin);
     });

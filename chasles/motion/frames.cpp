@@ -27,13 +27,9 @@ ScaledVector exact_vector(const Eigen::Vector3d& v) {
 
 /// Of a polynomial that changes evenly, if they are doubles.
 std::optional<std::vector<double>> values_at_ends(const TimePolynomial& polynomial) {
-    std::vector<double> values;
-    for (const Wide& value : {polynomial.at(Wide(0.0)), polynomial.at(Wide(1.0))}) {
-        if (!polynomial.is_straight() || value.low() != 0)
-            return std::nullopt;
-        values.push_back(value.high());
-    }
-    return values;
+    if (!polynomial.is_straight())
+        return std::nullopt;
+    return std::vector{double(polynomial.at(Wide(0.0))), double(polynomial.at(Wide(1.0)))};
 }
 
 class RestFrame final : public FrameInBoth<RestFrame> {

@@ -17,6 +17,10 @@ def file(option: str, has_rows: bool = False) -> Output:
     return Output(option, ("",), has_rows)
 
 
+def bodies(count: int) -> Output:
+    return Output("--bodies", tuple(f"/body-{i}.obj" for i in range(count)))
+
+
 @dataclass(frozen=True)
 class Question:
     name: str
@@ -58,7 +62,12 @@ QUESTIONS = {
     question.name: question
     for question in [
         Question("check", ("check", *BODIES, "MOTION", "--json"), BODIES),
-        Question("certificate", ("check", *BODIES, "--start", "3,0.2,0.3", "--goal", "0,0.2,3"), BODIES, (file("--certificate"),)),
+        Question(
+            "certificate",
+            ("check", *BODIES, "--start", "3,0.2,0.3", "--goal", "0,0.2,3"),
+            BODIES,
+            (file("--certificate"), bodies(2)),
+        ),
         Question("verify", ("verify", *BODIES, "proof.txt"), (*BODIES, "proof.txt")),
         Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
         Question("profile", ("profile", *BODIES, "MOTION"), BODIES, (file("--csv"), file("--plot"))),
@@ -67,19 +76,19 @@ QUESTIONS = {
             "path",
             ("path", *BODIES, "--poses", "poses.csv", "--motion", "velocity"),
             (*BODIES, "poses.csv"),
-            (file("--certificate"),),
+            (file("--certificate"), bodies(2)),
         ),
         Question(
             "scene-certificate",
             ("scene", "alike.json"),
             ("alike.json", "moving.obj"),
-            (file("--certificate"), Output("--bodies", ("/body-0.obj",))),
+            (file("--certificate"), bodies(1)),
         ),
         Question(
             "robot-certificate",
             ("robot", "post.urdf", "--scene", "alike.json", "--margin", "0.001"),
             ("post.urdf", "alike.json", "moving.obj"),
-            (file("--certificate"), Output("--bodies", ("/body-0.obj",))),
+            (file("--certificate"), bodies(1)),
         ),
         Question(
             "batch",

@@ -6,10 +6,14 @@
 #include "chasles/mesh/primitives.h"
 #include "tests/certificate/checked.h"
 #include "tests/support/grid.h"
+#include "tests/support/own_file.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 namespace chasles::test {
@@ -167,6 +171,42 @@ TEST_F(Certificates, RefuseWhatTheyCannotSay) {
     hold.hold = 0.5;
     EXPECT_EQ(why({cube, cube, ScrewMotion::between(start, goal), hold}),
               "certificate: answers with `hold` are not certified");
+}
+
+TEST(MeshesOfTheChecker, AreReadAsEditorsWriteThem) {
+    const std::string plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const auto read = [](const std::string& text) {
+        const std::filesystem::path file = own_file("mesh.obj");
+        std::ofstream(file, std::ios::binary) << text;
+        ::certificate::Mesh mesh = ::certificate::read_mesh(file.string());
+        std::filesystem::remove(file);
+        return mesh;
+    };
+    std::string returns = plain, windows;
+    std::ranges::replace(returns, '\n', '\r');
+    for (const char c : plain)
+        windows += c == '\n' ? "\r\n" : std::string(1, c);
+    const ::certificate::Mesh expected = read(plain);
+    EXPECT_EQ(expected.size(), 1);
+    EXPECT_EQ(read(returns), expected);
+    EXPECT_EQ(read(windows), expected);
+    EXPECT_EQ(read("\xEF\xBB\xBF" + plain), expected); // a mark of the byte order
+    EXPECT_EQ(read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf +1 +2 +3\n"), expected);
+}
+
+TEST(Checker, TakesNumbersAndBytesOfThePageOnly) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    const Certificate proof = certify(FirstContactQuery{cube, cube, Motion::twist(shifted(3, 0, 0), shifted(2, 0, 0))});
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string text = proof.text;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    EXPECT_TRUE(checked(cube, cube, proof.text).holds);
+    EXPECT_TRUE(checked(cube, cube, with("\nsolid", "\t# a comment\r\nsolid")).holds);
+    for (const std::string& text :
+         {with("\nsolid", " # \xC3\xBC\nsolid"), with("\nsolid", "\v\nsolid"), with("proof 0", "proof 00"),
+          with("motion sweep 1", "motion sweep 01"), with("0x1p", "0x" + std::string(40, '0') + "1p")})
+        EXPECT_FALSE(checked(cube, cube, text).holds) << text;
 }
 
 } // namespace

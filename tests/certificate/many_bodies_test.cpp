@@ -112,6 +112,29 @@ TEST(CertifiedScenes, AreAboutTheirBodiesMotionsPairsAndMargins) {
     EXPECT_TRUE(is_about(proof.text, scene, {}));
 }
 
+TEST(CertifiedScenes, TakeAnglesWhoseEndIsNoDouble) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    Scene scene;
+    scene.add({"door", cube, Motion::hinge({0.1, 0, 0}, Vector3d::UnitZ(), {0.3, 1})});
+    scene.add({"drawer", cube, Motion::at_rest(shifted(5, 0, 0)) * Motion::slider(Vector3d::UnitX(), {0.1, 0.2})});
+    EXPECT_TRUE(checked(certify(scene, {})).holds);
+}
+
+TEST(CertifiedScenes, AskNothingOfBodiesWithoutATestedPair) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    Body two = box({0.5, 0.5, 0.5}); // with a face twice: closed, but no edge has exactly two faces
+    two.faces.push_back(two.faces.front());
+    two.faces.push_back({two.faces.front().rbegin(), two.faces.front().rend()});
+    const Polyhedron odd = Polyhedron::from_polygons(two.vertices, two.faces);
+    Scene scene;
+    scene.add({"a", cube, Motion::velocity(shifted(0, 0, 0), shifted(1, 0, 0))});
+    scene.add({"b", cube, Motion::at_rest(shifted(0, 3, 0))});
+    scene.add({"odd", odd, Motion::at_rest(shifted(0, 6, 0))});
+    EXPECT_THROW(static_cast<void>(certify(scene, {})), InvalidInput);
+    scene.ignore("a", "odd");
+    EXPECT_TRUE(checked(certify(scene, {})).holds);
+}
+
 TEST(CertifiedScenes, RefuseWhatTheyDoNotProve) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     const auto refusal = [&](const Motion& first, const Motion& second, const SceneQuery& query) {
