@@ -50,10 +50,10 @@ CLI::Option* add_certificate_options(CLI::App& command, CertificateOptions& opti
 CertificateFile::CertificateFile(const CertificateOptions& options) : options_(options) {
     if (options.file.empty())
         return;
+    file_.emplace(options.file);
     std::error_code unreadable;
     if (!options.bodies.empty() && !std::filesystem::is_directory(options.bodies, unreadable))
         throw InvalidInput(options.bodies + ": is no folder");
-    file_.emplace(options.file);
 }
 
 bool CertificateFile::write(const std::function<Certificate()>& prove, view::Json& answer) {
