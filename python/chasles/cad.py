@@ -45,14 +45,15 @@ def load(source: Any, *, deflection: float | None = None, angle: float = 0.3, sk
         How far triangles may be from curved faces, mm: what OCCT aims at, and `Part.bound` bounds. By default a part in
         2,000 of the size of each part.
     angle : float
-        The largest angle between neighbouring triangles of a curved face that OCCT aims at, radians.
+        The largest angle between neighbouring triangles of a curved face that OCCT aims at, radians. Where its mesher leaves
+        out a face, other angles are tried for the part: docs/cad.md.
     skip_empty : bool
         Whether parts whose shape is not there are left out, with a warning, rather than refused.
 
     Raises
     ------
     InvalidInput
-        For files that are no STEP, parts in files that are not there, shapes without faces, joints of parts that are not in the assembly, closed loops of
+        For files that are no STEP, parts in files that are not there, shapes without faces, faces that OCCT cannot mesh, joints of parts that are not in the assembly, closed loops of
         joints, and constraints that leave no joint.
     TypeError
         For an object of another kind.

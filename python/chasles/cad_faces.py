@@ -10,11 +10,14 @@ from typing import Any
 import numpy as np
 from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Tool
-from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Curve2d, BRepAdaptor_Surface
 from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
+from OCP.BRepTools import BRepTools
 from OCP.GeomAbs import GeomAbs_CurveType, GeomAbs_SurfaceType
 from OCP.GeomConvert import GeomConvert
+from OCP.ShapeExtend import ShapeExtend_Status
+from OCP.ShapeUpgrade import ShapeUpgrade_ShapeDivideClosed
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
@@ -27,6 +30,7 @@ from .cad_tree import explored
 # The casts have other names before OCP 8.
 _as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
 _as_edge = getattr(TopoDS, "Edge_s", None) or TopoDS.Edge
+_as_vertex = getattr(TopoDS, "Vertex_s", None) or TopoDS.Vertex
 KINDS = {
     GeomAbs_SurfaceType.GeomAbs_Plane: "plane",
     GeomAbs_SurfaceType.GeomAbs_Cylinder: "cylinder",
@@ -53,11 +57,10 @@ def tessellate(shape: Any, deflection: float, angle: float) -> Tessellation:
 
     Faces of one edge share its vertices, so a shape without gaps becomes a closed surface.
     """
-    BRepMesh_IncrementalMesh(shape, deflection, False, angle, True)
     nodes = _Nodes()
     triangles, curved, bound = [], [], 0.0
     kinds: collections.Counter[str] = collections.Counter()
-    faces = [_Face(_as_face(face), nodes) for face in explored(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
+    faces = [_Face(face, nodes) for face in _meshed_faces(shape, deflection, angle)]
     if not faces:
         raise InvalidInput("has no faces")
     is_covered = {edge for face in faces if face.kind != "plane" for edge in face.bent}
@@ -80,6 +83,54 @@ def tessellate(shape: Any, deflection: float, angle: float) -> Tessellation:
         bound * (1 + 1e-9) + _ROUNDING * size if bound > 0 else 0.0,
         dict(kinds),
     )
+
+
+def _meshed_faces(shape: Any, deflection: float, angle: float) -> list[Any]:
+    """All faces of a shape, each with triangles.
+
+    OCCT's mesher leaves out some faces, mostly closed ones. So the shape is meshed again, never with a larger deflection: with its
+    closed faces divided, then with other angles, then finer. Bounds are those of the triangles that come of it.
+    """
+    left = _left_out(shape, deflection, angle)
+    if not left:
+        return _faces_of(shape)
+    divided = _divided(shape)
+    ways = [(divided, 1.0, 1.0)]
+    ways += [(way, share, times) for way in (shape, divided) for share, times in ((1.0, 1.4), (1.0, 2.0), (1.0, 0.7), (0.25, 1.0))]
+    for way, share, times in ways:
+        if way is None:
+            continue
+        BRepTools.Clean_s(way)  # or triangles that are there are kept
+        if not _left_out(way, share * deflection, min(times * angle, 1.0)):
+            return _faces_of(way)
+    kind = KINDS.get(BRepAdaptor_Surface(left[0]).GetType(), "free-form face")
+    corner = BRep_Tool.Pnt_s(_as_vertex(next(explored(left[0], TopAbs_ShapeEnum.TopAbs_VERTEX))))
+    raise InvalidInput(
+        f"OCCT's mesher leaves out {len(left)} of its faces, the first a {kind} with a corner at ({corner.X():.6g}, {corner.Y():.6g}, "
+        f"{corner.Z():.6g}) in its frame: take an angle far from {angle:.3g} or a deflection far from {deflection:.3g}, or leave the "
+        "part out of the model"
+    )
+
+
+def _faces_of(shape: Any) -> list[Any]:
+    return [_as_face(face) for face in explored(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
+
+
+def _left_out(shape: Any, deflection: float, angle: float) -> list[Any]:
+    """Meshes a shape; the faces that have no triangles then."""
+    BRepMesh_IncrementalMesh(shape, deflection, False, angle, True)
+    return [face for face in _faces_of(shape) if not _has_triangles(face)]
+
+
+def _has_triangles(face: Any) -> bool:
+    mesh = BRep_Tool.Triangulation_s(face, TopLoc_Location())
+    return mesh is not None and mesh.NbTriangles() > 0
+
+
+def _divided(shape: Any) -> Any | None:
+    """The shape with its closed faces in pieces of the same surfaces; None where none is divided."""
+    divide = ShapeUpgrade_ShapeDivideClosed(shape)
+    return divide.Result() if divide.Perform() and not divide.Status(ShapeExtend_Status.ShapeExtend_FAIL) else None
 
 
 def size_of(shape: Any) -> float:
@@ -130,8 +181,6 @@ class _Face:
     def __init__(self, face: Any, nodes: _Nodes) -> None:
         place = TopLoc_Location()
         mesh = BRep_Tool.Triangulation_s(face, place)
-        if mesh is None or mesh.NbTriangles() == 0:
-            raise InvalidInput("a face has no triangles: repair the shape, or take another deflection")
         move = place.Transformation()
         raw = [mesh.Node(i).Transformed(move) for i in range(1, mesh.NbNodes() + 1)]
         self.points = np.array([(p.X(), p.Y(), p.Z()) for p in raw])
@@ -168,7 +217,7 @@ class _Face:
             off, is_line = self._chords(edge, polygon, ids)
             if not is_line:
                 self.bent.append(key)
-                is_along &= self._follows_a_line(edge, ids)
+                is_along &= self._follows_a_line(face, edge, ids)
                 off += BRep_Tool.Tolerance_s(edge)
             chords = max(chords, off)
         return chords, is_along
@@ -204,8 +253,13 @@ class _Face:
         self.kind = "plane with free-form edges" if self.kind.startswith("plane") else "free-form"
         return self.deflection
 
-    def _follows_a_line(self, edge: Any, ids: Any) -> bool:
-        """Whether an edge is a circle along which one parameter of the surface stays. Three points name a circle."""
+    def _follows_a_line(self, face: Any, edge: Any, ids: Any) -> bool:
+        """Whether one parameter of the surface stays along an edge: a line of parameters, or a circle, which three points name."""
+        line = BRepAdaptor_Curve2d(edge, face)
+        if line.GetType() == GeomAbs_CurveType.GeomAbs_Line and self.kind != "sphere":
+            way = line.Line().Direction()
+            if min(abs(way.X()), abs(way.Y())) < _ROUNDING:
+                return True
         if BRepAdaptor_Curve(edge).GetType() != GeomAbs_CurveType.GeomAbs_Circle or len(ids) < 3 or not self.mesh.HasUVNodes():
             return False
         return bool((np.ptp(self._parameters()[ids], axis=0) < 1e-9).any())

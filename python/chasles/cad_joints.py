@@ -57,7 +57,10 @@ def require_joint(joint: Joint, joints: Sequence[Joint], paths: Collection[str])
     if sum(other.name == joint.name for other in joints) > 1:
         raise InvalidInput(f"{where}: comes twice")
     if sum(other.child == joint.child for other in joints) > 1:
-        raise InvalidInput(f"{where}: another joint moves {joint.child!r} already; a closed loop needs `follows`, or a path")
+        raise InvalidInput(
+            f"{where}: another joint moves {joint.child!r} already; for a turn and a slide of one part, put it in an assembly: one "
+            "joint moves 'arm', the other one 'arm/pin'; a closed loop needs `follows`, or a path"
+        )
     if joint.point.shape != (3,) or joint.axis.shape != (3,) or not np.isfinite([joint.point, joint.axis]).all():
         raise InvalidInput(f"{where}: point, axis: three finite numbers each are needed")
     if not joint.axis.any():

@@ -8,6 +8,8 @@ import chasles
 pytest.importorskip("OCP")
 import chasles.cad  # noqa: E402
 import cad_shapes as cs  # noqa: E402
+from chasles.cad_assembly import Assembly  # noqa: E402
+from chasles.cad_tree import Node  # noqa: E402
 
 
 def hinge(*followers, **leader):
@@ -58,6 +60,19 @@ def test_circles_of_followers_are_refused():
 def test_what_is_no_follower_is_refused(follows):
     with pytest.raises(chasles.InvalidInput, match="joint 'leaf': follows: must be the name of a joint"):
         hinge(("leaf", "leaf", follows, {}))
+
+
+def test_a_part_turns_and_slides_by_an_assembly_of_its_own():
+    pin = Node("arm", children=[Node("pin", shape=cs.box(4, 1, 1))])
+    made = Assembly(Node("model", children=[pin, Node("stop", shape=cs.box(1, 1, 1, (0, 0, 9)))]), deflection=0.01)
+    made.add_joint("slide", "prismatic", "world", "arm", lower=0, upper=20)
+    with pytest.raises(chasles.InvalidInput, match="another joint moves 'arm' already; .* one joint moves 'arm', the other one 'arm/pin'"):
+        made.add_joint("turn", "revolute", "world", "arm")
+    made.add_joint("turn", "revolute", "arm", "arm/pin", lower=-3, upper=3)
+    robot = made.robot()
+    row = made.rest
+    row[[robot.variables.index("slide"), robot.variables.index("turn")]] = 5.0, np.pi / 2
+    assert made.poses(robot, row)["arm/pin"] == pytest.approx(cs.matrix((0, 0, 5), (0, 0, 1), 90), abs=1e-12)
 
 
 def test_a_joint_of_no_part_is_refused_where_nothing_moves():
