@@ -241,8 +241,8 @@ def certificate_batch(
         kinds = {"screw": ScrewMotion, "sweep": SweepMotion, "velocity": ConstantVelocity, "twist": ConstantTwist}
         if motion not in kinds:
             raise InvalidInput(f"motion: {motion!r} must be one of {', '.join(map(repr, kinds))}")
-        if len(goals) != rows:
-            raise InvalidInput(f"goals: {len(goals)} poses for {rows} starts")
+        if starts.ndim < 2 or starts.shape != goals.shape:
+            raise InvalidInput(f"starts, goals: have the shapes {starts.shape} and {goals.shape}; both are (n, 4, 4) or (n, 7)")
         given = [_named(i, partial(kinds[motion].between, *ends)) for i, ends in enumerate(zip(starts, goals, strict=True))]
     marks, found = _marks(errors), []
     for i, (text, missing) in enumerate(_core._certificate_batch(moving, fixed, given, margin, _thread_count(threads))):

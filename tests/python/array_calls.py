@@ -92,6 +92,11 @@ CALLS = {
     "RobotChecker.first_contact": lambda: (checker().first_contact, EDGE),
     "RobotChecker.is_clear": lambda: (checker().is_clear, EDGE),
     "RobotChecker.pairs_in_contact": lambda: (checker().pairs_in_contact, {"configuration": [0.0]}),
+    "RobotChecker.certificate": lambda: (checker().certificate, {"configurations": ROWS}),
+    "RobotChecker.verify": lambda: (
+        partial(checker().verify, certificate=checker().certificate(ROWS)),
+        {"configurations": ROWS},
+    ),
     "RobotChecker.first_contact_on_path": lambda: (checker().first_contact_on_path, PATH),
     "RobotChecker.least_distance": lambda: (checker().least_distance, EDGE),
     "RobotChecker.least_distance_on_path": lambda: (checker().least_distance_on_path, PATH),
