@@ -26,13 +26,13 @@ struct Certificate {
 };
 
 /// Proves the answer to a question: with `margin`, radii, and solid bodies, one or both of which move. Motions are
-/// screws, sweeps, velocities, twists, even hinges and sliders, tracks of them (TimedPoses), and products of these. The
-/// proof is found anew, beside the search, so that it does not share its faults. The bracket of a contact is wider than
-/// that of the answer, by 2^-44 of the piece at both ends.
+/// screws, sweeps, velocities, twists, even hinges and sliders (whose values at the ends are rounded to double), tracks
+/// of them (TimedPoses), and products of these. The proof is found anew, beside the search, so that it does not share
+/// its faults. The bracket of a contact is wider than that of the answer, by 2^-44 of the piece at both ends.
 ///
 /// Throws InvalidInput "certificate: WHY" for what cannot be certified: other motions, half turns of sweeps, velocities
-/// and twists, `hold`, faces without area or cut polygons, faces that were moved inwards, closed parts of bodies that
-/// are not closed edge by edge. Throws Cancelled.
+/// and twists, `hold`, bodies some of whose faces have no area or were cut, faces that were moved inwards, closed parts
+/// of bodies that are not closed edge by edge. Throws Cancelled.
 CHASLES_EXPORT Certificate certify(const FirstContactQuery& query);
 /// Likewise of a path whose motions are of one kind, each from where the last one ends. `progress` is not called.
 CHASLES_EXPORT Certificate certify(const PathQuery& query);
