@@ -1,8 +1,8 @@
 #include "cli/batch_certificates.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/certificate/certificate.h"
+#include "cli/certificate_file.h"
 #include "cli/output.h"
 #include "cli/report.h"
 
@@ -12,9 +12,7 @@
 namespace chasles::cli {
 
 BatchCertificates::BatchCertificates(std::string folder) : folder_(std::move(folder)) {
-    std::error_code unreadable;
-    if (!folder_.empty() && !std::filesystem::is_directory(folder_, unreadable))
-        throw InvalidInput(folder_ + ": is no folder");
+    require_folder(folder_);
 }
 
 bool BatchCertificates::write(const BatchQuery& query, std::span<const std::size_t> rows) {

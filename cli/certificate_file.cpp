@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
+#include "scenes/triangle_mesh.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -11,24 +12,10 @@ namespace chasles::cli {
 
 namespace {
 
-/// Numbers are written so that they are read as the same ones.
-std::string obj_text(const Polyhedron& body) {
-    std::string text;
-    for (const Eigen::Vector3d& vertex : body.vertices())
-        text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", vertex.x(), vertex.y(), vertex.z());
-    for (std::size_t face = 0; face < body.face_count(); ++face) {
-        text += "f";
-        for (const std::uint32_t vertex : body.face(face))
-            text += fmt::format(" {}", vertex + 1);
-        text += "\n";
-    }
-    return text;
-}
-
 void write_bodies(const std::string& folder, const std::vector<Polyhedron>& bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         OutputFile file((std::filesystem::path(folder) / fmt::format("body-{}.obj", i)).string());
-        file.write(obj_text(bodies[i]));
+        file.write(scenes::obj_text(bodies[i]));
         file.close();
     }
 }
@@ -47,13 +34,17 @@ CLI::Option* add_certificate_options(CLI::App& command, CertificateOptions& opti
     return certificate;
 }
 
+void require_folder(const std::string& name) {
+    std::error_code unreadable;
+    if (!name.empty() && !std::filesystem::is_directory(name, unreadable))
+        throw InvalidInput(name + ": is no folder");
+}
+
 CertificateFile::CertificateFile(const CertificateOptions& options) : options_(options) {
     if (options.file.empty())
         return;
     file_.emplace(options.file);
-    std::error_code unreadable;
-    if (!options.bodies.empty() && !std::filesystem::is_directory(options.bodies, unreadable))
-        throw InvalidInput(options.bodies + ": is no folder");
+    require_folder(options.bodies);
 }
 
 bool CertificateFile::write(const std::function<Certificate()>& prove, view::Json& answer) {

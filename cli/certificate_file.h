@@ -20,6 +20,9 @@ struct CertificateOptions {
 /// --certificate and --bodies. Returns the first one.
 CLI::Option* add_certificate_options(CLI::App& command, CertificateOptions& options);
 
+/// Throws InvalidInput "NAME: is no folder" unless it is one. An empty name is none that is asked for.
+void require_folder(const std::string& name);
+
 /// The proof, if one is asked for. To be made after all reading and before the question is answered.
 class CertificateFile {
 public:

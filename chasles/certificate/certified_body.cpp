@@ -42,6 +42,8 @@ void add(Sha256& hash, Number number) {
     hash.add(bytes);
 }
 
+} // namespace
+
 std::string hash_of(const Polyhedron& body) {
     Sha256 hash;
     for (std::size_t face = 0; face < body.face_count(); ++face) {
@@ -53,8 +55,6 @@ std::string hash_of(const Polyhedron& body) {
     }
     return hash.digest();
 }
-
-} // namespace
 
 void check_body(const Polyhedron& body, const std::string& name) {
     const auto refuse = [&](const std::string& why) { throw InvalidInput("certificate: " + name + ": " + why); };

@@ -15,14 +15,17 @@ namespace chasles::certificate {
 /// Throws InvalidInput "certificate: NAME: WHY" for a body whose faces are not those of its file.
 void check_body(const Polyhedron& body, const std::string& name);
 
+/// SHA-256 of the corners of all faces.
+std::string hash_of(const Polyhedron& body);
+
 struct CertifiedBody {
     explicit CertifiedBody(const Polyhedron& body);
     CertifiedBody(const CertifiedBody&) = delete;
     CertifiedBody& operator=(const CertifiedBody&) = delete;
 
     Polyhedron shape;
-    FaceTree tree;    ///< of `shape`
-    std::string hash; ///< SHA-256 of the corners of all faces
+    FaceTree tree; ///< of `shape`
+    std::string hash;
 };
 
 /// Bodies that may share their shapes.

@@ -6,6 +6,7 @@
 #include "chasles/mesh/body.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -70,6 +71,14 @@ std::string scene_line(const ManyBodies& question) {
 
 } // namespace
 
+motion::ChainLinks chain_of(const motion::MovingFrame& frame, const std::string& name) {
+    motion::ChainLinks chain;
+    if (!frame.add_links(chain, false))
+        refuse(name + ": the motion is none of those that are certified: products of poses, velocities, twists, hinges "
+                      "and sliders that move evenly between the same times");
+    return chain;
+}
+
 Certificate certify(const ManyBodies& question, const ManyClaim& answer) {
     const auto& [claim, first, second] = answer;
     const std::vector<bool> are_tested = tested_bodies(question);
@@ -120,9 +129,14 @@ bool is_about(const std::string& text, const ManyBodies& question) {
                 given += line + "\n";
     std::string bodies = scene_line(question), pairs;
     const std::vector<bool> are_tested = tested_bodies(question);
-    const CertifiedBodies shapes = shapes_of(question, are_tested);
-    for (std::size_t i = 0; i < question.bodies.size(); ++i)
-        bodies += body_lines(question.bodies[i], shapes[i].hash, question.piece_count, are_tested[i]);
+    std::map<const Body*, std::string> hashes;
+    for (std::size_t i = 0; i < question.bodies.size(); ++i) {
+        const Polyhedron& shape = question.bodies[i].shape;
+        std::string& hash = hashes[&shape.body()];
+        if (hash.empty())
+            hash = hash_of(shape);
+        bodies += body_lines(question.bodies[i], hash, question.piece_count, are_tested[i]);
+    }
     for_each_pair(question, [&](std::size_t i, std::size_t j, const std::optional<double>& margin) {
         pairs += pair_line(i, j, margin);
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/certificate/two_bodies.h"
+#include "chasles/motion/moving_frame.h"
 
 #include <cstddef>
 #include <optional>
@@ -17,6 +18,9 @@ struct MovingBody {
     Polyhedron shape;
     motion::ChainLinks chain;
 };
+
+/// The links of a body that moves with a frame. Throws InvalidInput "certificate: NAME: WHY" for other motions.
+motion::ChainLinks chain_of(const motion::MovingFrame& frame, const std::string& name);
 
 struct ManyBodies {
     std::vector<MovingBody> bodies;

@@ -121,13 +121,11 @@ private:
     void add_scene() {
         for (std::size_t i = 0; i < prepared_.bodies.size(); ++i) {
             const SceneBody& body = prepared_.bodies[i];
-            many_.bodies.push_back({body.name, body.shape, {}});
-            ChainLinks& chain = many_.bodies.back().chain;
-            if (!prepared_.motions[i]->frame->add_links(chain, false))
-                refuse(body.name + ": the motion is none of those that are certified");
+            const ChainLinks chain = certificate::chain_of(*prepared_.motions[i]->frame, body.name);
             if (!certificate::is_at_rest(chain) &&
                 (many_.piece_count > 1 || chain.times() != std::vector<double>{0, 1}))
                 refuse(body.name + ": moves, while the path or the motion has several segments");
+            many_.bodies.push_back({body.name, body.shape, chain});
         }
     }
     void add_margins() {

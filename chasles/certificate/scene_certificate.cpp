@@ -13,15 +13,6 @@ using certificate::ManyBodies;
 using certificate::ManyClaim;
 using certificate::refuse;
 
-motion::ChainLinks chain_of(const Scene& scene, std::size_t body) {
-    motion::ChainLinks chain;
-    if (!scene.motion_of(body).frame->add_links(chain, false))
-        refuse(scene.bodies()[body].name + ": the motion is none of those that are certified: products of poses, "
-                                           "velocities, twists, hinges and sliders that move evenly between the same "
-                                           "times");
-    return chain;
-}
-
 /// The stamps of all motions.
 std::vector<double> times_of(const std::vector<certificate::MovingBody>& bodies) {
     const certificate::MovingBody* first = nullptr;
@@ -42,8 +33,10 @@ ManyBodies question_of(const Scene& scene, const SceneQuery& query) {
     if (query.until != 1)
         refuse("answers with `until` are not certified");
     ManyBodies question;
-    for (std::size_t i = 0; i < count; ++i)
-        question.bodies.push_back({scene.bodies()[i].name, scene.bodies()[i].shape, chain_of(scene, i)});
+    for (std::size_t i = 0; i < count; ++i) {
+        const SceneBody& body = scene.bodies()[i];
+        question.bodies.push_back({body.name, body.shape, certificate::chain_of(*scene.motion_of(i).frame, body.name)});
+    }
     question.piece_count = times_of(question.bodies).size() - 1;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j) {

@@ -150,9 +150,9 @@ std::string verify_robot(const RobotChecker& checker, nb::handle configurations,
 }
 
 #define CHASLES_VERIFY_DOC                                                                                             \
-    "\n\nReturns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n    Where it "    \
-    "proves "                                                                                                          \
-    "less, is about another question, or is damaged: with the reason.\n\nSource: docs/certificate.md, \"Scenes\"."
+    "\n\nReturns\n-------\nstr\n    What is proven, a claim a line.\n\nRaises\n------\nInvalidInput\n"                 \
+    "    Where it proves less, is about another question, or is damaged: with the reason.\n\n"                         \
+    "Source: docs/certificate.md, \"Scenes\"."
 
 } // namespace
 
@@ -164,9 +164,8 @@ void bind_certificates(nb::class_<PythonScene>& scene) {
             nb::sig("def certificate(self, *, margin: float = 0.0) -> str"),
             "A proof of what `first_contact` answers, with all tested pairs, as text that programs of others can check "
             "(docs/certificate.md, \"Scenes\"). Motions are velocities, twists, even hinges and sliders, `TimedPoses` "
-            "with the same stamps, and products of these.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n   "
-            " "
-            "For what cannot be certified, or is not proven: with the reason.")
+            "with the same stamps, and products of these.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n"
+            "    For what cannot be certified, or is not proven: with the reason.")
         .def("verify", verify_scene, "certificate"_a, nb::kw_only(), "margin"_a = 0.0,
              nb::sig("def verify(self, certificate: str, *, margin: float = 0.0) -> str"),
              "Does a certificate prove what it claims, and is it about this scene? In exact numbers, by the checker "
@@ -181,9 +180,8 @@ void bind_certificates(nb::class_<RobotChecker>& checker) {
             nb::sig("def certificate(self, configurations: numpy.typing.ArrayLike | JointPath) -> str"),
             "A proof of what `first_contact_on_path` answers for a path that is straight in joint space, with all "
             "tested pairs, as text that programs of others can check (docs/certificate.md, \"Scenes\"). Poses of links "
-            "and axes are rounded to double. No handovers.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n  "
-            "  "
-            "For what cannot be certified, or is not proven: with the reason.")
+            "and axes are rounded to double. No handovers.\n\nReturns\n-------\nstr\n\nRaises\n------\nInvalidInput\n"
+            "    For what cannot be certified, or is not proven: with the reason.")
         .def("verify", verify_robot, "configurations"_a.none(), "certificate"_a,
              nb::sig("def verify(self, configurations: numpy.typing.ArrayLike | JointPath, certificate: str) -> str"),
              "Does a certificate prove what it claims, and is it about this robot, its scene and this path? In exact "
